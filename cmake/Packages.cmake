@@ -1,0 +1,18 @@
+# Every package that sweepkit stands on; scripts/setup installs them on Debian 12.
+find_package(glm REQUIRED)
+find_package(OpenMesh REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(OpenImageIO REQUIRED)
+find_package(TBB REQUIRED)
+find_package(CLI11 REQUIRED)
+
+# Debian's OpenImageIO names an include folder (opencv4) that its packages do not bring: keep those that exist.
+get_target_property(folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+set(existing)
+foreach(folder IN LISTS folders)
+  if(EXISTS "${folder}")
+    list(APPEND existing "${folder}")
+  endif()
+endforeach()
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing}")

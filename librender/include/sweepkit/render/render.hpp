@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sweepkit/scene/plan.hpp"
+#include "sweepkit/scene/scene.hpp"
+#include "sweepkit/texmap/image.hpp"
+
+namespace sweepkit::render {
+
+enum class Filter {
+  kPoint,      ///< the texel at the hit
+  kIntegral1,  ///< the mean over the box of the neighbours' hits, from a summed-area table (the paper's)
+};
+
+/// One eye ray a pixel; or a picture n times as large each way, shrunk. 3 takes the paper's weights (1/4 in
+/// the middle, 1/8 at the sides, 1/16 at the corners), any other n equal ones: 16 makes a reference under a
+/// box of one pixel.
+struct Options {
+  Filter filter = Filter::kIntegral1;
+  int supersampling = 1;  ///< 1 to 64
+  int threads = 0;        ///< 0: as many as the machine has
+  bool uses_linear_scan =
+      false;  ///< every ray against every triangle: the reference that tests compare the grid with
+  std::function<void(double done)>
+      on_progress;  ///< share of the picture, 0 to 1; called from any thread, one at a time
+  const std::atomic<bool>* is_cancelled =
+      nullptr;  ///< looked at between rows; render() then throws Cancelled
+};
+
+struct Cancelled {};
+
+struct Statistics {
+  std::uint64_t eye_rays = 0;
+  std::uint64_t reflected_rays = 0;
+  std::uint64_t shadow_rays = 0;
+  std::uint64_t nodes = 0;           ///< intersection-tree nodes shaded
+  std::uint64_t filtered_nodes = 0;  ///< of them, filtered over their neighbours
+  std::uint64_t textured_nodes = 0;
+  double grid_seconds = 0;          ///< building the grids
+  double table_seconds = 0;         ///< building the summed-area tables
+  double picture_seconds = 0;       ///< tracing and shading, wall clock
+  double shade_thread_seconds = 0;  ///< of them shading, summed over threads
+  std::uint64_t grid_bytes = 0;
+  std::uint64_t voxels = 0;
+  std::uint32_t median_triangles = 0;  ///< in the voxels that hold any
+  std::uint32_t p99_triangles = 0;
+  std::uint32_t max_triangles = 0;
+};
+
+struct Picture {
+  texmap::Image image;  ///< float RGB, linear light
+  Statistics statistics;
+  scene::Ledger ledger;
+};
+
+/// Draws the scene: rows of intersection trees, three at a time, each node's texture filtered over the
+/// neighbouring pixels' hits [Akdemir98, section 3]. The same scene gives the same bytes for any number of
+/// threads. `plan` says what may be left out; it must come from the same document and a request that fits
+/// `options`.
+Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options& options = {});
+
+}  // namespace sweepkit::render

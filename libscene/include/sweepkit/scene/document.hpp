@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sweepkit/error.hpp"
+#include "sweepkit/scene/camera.hpp"
+#include "sweepkit/scene/light.hpp"
+#include "sweepkit/scene/material.hpp"
+#include "sweepkit/sweep/curve.hpp"
+#include "sweepkit/sweep/options.hpp"
+#include "sweepkit/texmap/image_file.hpp"
+#include "sweepkit/texmap/procedural.hpp"
+#include "sweepkit/texmap/texture.hpp"
+
+namespace sweepkit::scene {
+
+/// Scale, then rotate about the fixed x, y, z axes in that order, then translate.
+struct Placement {
+  glm::dvec3 translate{0.0};
+  glm::dvec3 rotate_deg{0.0};
+  glm::dvec3 scale{1.0};
+};
+/// Exact at whole quarter turns.
+glm::dmat4 to_matrix(const Placement& placement);
+
+struct SweepShape {
+  sweep::Curve2 contour;
+  sweep::Curve3 trajectory;
+  sweep::Caps caps = sweep::Caps::kFlat;
+};
+
+struct RevolveShape {
+  sweep::Curve2 contour;
+  double angle_deg = 360;
+  sweep::Caps caps = sweep::Caps::kFlat;
+};
+
+struct PlaneShape {
+  glm::dvec2 size{1.0};  ///< x, z
+};
+
+/// One shape with what belongs to it. An object has one, or several under "parts".
+struct Piece {
+  std::variant<SweepShape, RevolveShape, PlaneShape> shape;
+  Placement placement;  ///< object from piece
+  std::optional<sweep::Tessellation>
+      tessellation;  ///< without it the shape's own default: 64 x 64, a plane 1 x 1
+  sweep::UvOptions uv;
+  double crease_deg = 30;
+  Place place;  ///< for messages about the geometry
+};
+
+struct ObjectEntry {
+  std::string name;
+  std::optional<std::size_t> material;  ///< index into Document::materials
+  Placement placement;                  ///< world from object
+  std::vector<Piece> pieces;            ///< not empty
+  Place place;
+};
+
+struct ImageEntry {
+  std::filesystem::path file;  ///< resolved against the scene file
+  texmap::ColorSpace color_space = texmap::ColorSpace::kSrgb;
+  texmap::Wrap wrap = texmap::Wrap::kRepeat;
+};
+
+struct TextureEntry {
+  std::string name;
+  std::variant<ImageEntry, texmap::Procedural> source;
+  Place place;
+};
+
+/// A scene file, read and checked: every key known, every number in range, every name found, every curve
+/// sound. Only the files it names are unread.
+struct Document {
+  std::optional<Camera> camera;
+  int width = 512;  ///< pixels, from the camera
+  int height = 512;
+  glm::vec3 background{0.0f};
+  glm::vec3 ambient{0.0f};
+  bool has_ambient = false;
+  int depth = 6;  ///< levels of reflection; 0 is the primary hit alone
+  std::vector<Light> lights;
+  std::vector<TextureEntry> textures;
+  std::vector<std::string> material_names;  ///< beside materials
+  std::vector<Material> materials;
+  std::vector<ObjectEntry> objects;  ///< not empty; names are unique
+};
+
+/// --set POINTER=VALUE: VALUE is JSON, or else a string.
+struct Setting {
+  std::string pointer;
+  std::string value;
+};
+
+/// Reads a scene file (design: scene format version 1; // comments allowed). Throws InputError with file,
+/// line, column and JSON pointer.
+Document read_document(const std::filesystem::path& file, const std::vector<Setting>& settings = {});
+
+/// The same from text; `file` names it in messages and is what file names are relative to.
+Document parse_document(const std::string& text, const std::filesystem::path& file,
+                        const std::vector<Setting>& settings = {});
+
+}  // namespace sweepkit::scene

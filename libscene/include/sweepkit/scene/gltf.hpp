@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sweepkit/scene/plan.hpp"
+#include "sweepkit/scene/scene.hpp"
+
+namespace sweepkit::scene {
+
+struct GltfOptions {
+  std::optional<std::string> object;  ///< this object alone
+  int bake_size = 1024;               ///< texels on a side of a baked procedural texture
+};
+
+struct NamedBytes {
+  std::string name;  ///< file name without folder
+  std::vector<std::byte> bytes;
+};
+
+struct GltfFile {
+  std::vector<NamedBytes> files;  ///< what stands beside (.bin, images), then the .glb or .gltf itself
+  Ledger ledger;                  ///< bakes
+};
+
+/// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it. .glb holds
+/// everything; .gltf has its buffer and images beside it, named for `file`. The same scene gives the same
+/// bytes. Throws InputError for an unknown object or a file over 2 GiB.
+GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
+                   const GltfOptions& options);
+
+}  // namespace sweepkit::scene

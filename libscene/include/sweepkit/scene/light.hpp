@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+#include <variant>
+
+namespace sweepkit::scene {
+
+/// No fall-off with distance.
+struct PointLight {
+  glm::dvec3 position{0.0};
+  glm::vec3 intensity{1.0f};
+};
+
+struct DirectionalLight {
+  glm::dvec3 direction{0.0, -1.0, 0.0};  ///< the way the light travels; not zero, any length
+  glm::vec3 intensity{1.0f};
+};
+
+using Light = std::variant<PointLight, DirectionalLight>;
+
+}  // namespace sweepkit::scene

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "sweepkit/scene/document.hpp"
+#include "sweepkit/scene/plan.hpp"
+#include "sweepkit/scene/scene.hpp"
+#include "sweepkit/sweep/mesh.hpp"
+
+namespace sweepkit::scene {
+
+/// A Scene together with the meshes its views look at. Moving it keeps the views valid; it is not copied.
+struct Model {
+  std::vector<sweep::Mesh> meshes;  ///< one an object
+  Scene scene;
+  Ledger ledger;  ///< half-edges, textures
+
+  Model() = default;
+  Model(Model&&) = default;
+  Model& operator=(Model&&) = default;
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+};
+
+/// Makes the document's meshes and reads the textures that the plan needs. Without a camera the picture
+/// frames the scene; a light is added only where lights and ambient are both absent. Throws InputError with
+/// the place of the object or texture at fault.
+Model build(const Document& document, const Plan& plan);
+
+}  // namespace sweepkit::scene

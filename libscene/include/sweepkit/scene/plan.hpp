@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sweepkit/scene/document.hpp"
+
+namespace sweepkit::scene {
+
+/// The parts of the work that a scene may not need. A new one is a row here, one in part_name() and one in
+/// plan().
+enum class Part {
+  kHalfEdges,      ///< OpenMesh's connectivity
+  kTextures,       ///< texture images read, procedural textures set up
+  kBakes,          ///< procedural textures turned into images for a file
+  kTables,         ///< summed-area tables over textures that the filter reads
+  kTexcoords,      ///< (u,v) interpolated at hits
+  kFilteredNodes,  ///< neighbours' boxes made and looked up
+  kRows,           ///< the two neighbouring row buffers
+  kTrees,          ///< nodes below the primary hit
+  kShadows,        ///< shadow rays
+  kSupersampling,  ///< the larger picture that is shrunk
+  kGlobalGrid,     ///< the grid over the objects' boxes
+};
+inline constexpr std::size_t kPartCount = 11;
+
+std::string_view part_name(Part part);  ///< "half-edges", "summed-area tables", ...
+
+struct Need {
+  bool is_needed = false;
+  std::string why;  ///< "no material has a texture"
+};
+
+/// What this piece of work needs, worked out once before it. Plain data that every stage reads.
+struct Plan {
+  std::array<Need, kPartCount> needs;
+  std::vector<bool> textures;  ///< by Document::textures: is it read at all?
+  std::vector<bool> tables;    ///< by Document::textures: does the filter look it up?
+
+  bool needs_part(Part part) const { return needs[static_cast<std::size_t>(part)].is_needed; }
+};
+
+/// What is made, as far as it decides what is needed.
+struct Request {
+  enum class Product { kPicture, kMeshFile, kTexture };
+  Product product = Product::kPicture;
+  bool has_half_edges = false;  ///< someone walks the half-edges
+  bool is_filtered = false;     ///< a filter other than point
+  bool is_supersampled = false;
+};
+
+Plan plan(const Document& document, const Request& request);
+
+/// What a part really cost: a part left out costs no byte and no call.
+struct Cost {
+  std::uint64_t bytes = 0;
+  std::uint64_t calls = 0;
+};
+
+struct Ledger {
+  std::array<Cost, kPartCount> costs;
+
+  Cost& operator[](Part part) { return costs[static_cast<std::size_t>(part)]; }
+  const Cost& operator[](Part part) const { return costs[static_cast<std::size_t>(part)]; }
+  void add(const Ledger& other);
+};
+
+}  // namespace sweepkit::scene

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sweepkit/scene/camera.hpp"
+#include "sweepkit/scene/light.hpp"
+#include "sweepkit/scene/material.hpp"
+#include "sweepkit/sweep/grid_patch.hpp"
+#include "sweepkit/texmap/texture.hpp"
+
+namespace sweepkit::scene {
+
+/// Views of a mesh's own arrays; whoever made the scene keeps the meshes (scene::Model does).
+struct MeshView {
+  std::span<const glm::vec3> positions;  ///< relative to `origin`
+  std::span<const glm::vec3> normals;
+  std::span<const glm::vec2> texcoords;
+  std::span<const sweep::Triangle> triangles;
+  std::span<const sweep::GridPatch> patches;
+  std::span<const sweep::Area> areas;
+  glm::dvec3 origin{0.0};
+};
+
+struct Object {
+  std::string name;
+  std::size_t mesh = 0;
+  std::optional<std::size_t> material;  ///< none: the default Material
+  glm::dmat4 world_from_object{1.0};    ///< affine, not singular
+};
+
+/// Everything a picture or a file is made from, as plain data.
+struct Scene {
+  std::vector<MeshView> meshes;
+  std::vector<texmap::Texture> textures;  ///< a texture that nothing uses has no image
+  std::vector<Material> materials;
+  std::vector<Object> objects;
+  std::vector<Light> lights;
+  Camera camera;
+  int width = 512;
+  int height = 512;
+  glm::vec3 background{0.0f};
+  glm::vec3 ambient{0.0f};
+  int depth = 6;
+};
+
+}  // namespace sweepkit::scene

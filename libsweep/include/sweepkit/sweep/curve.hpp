@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace sweepkit::sweep {
+
+template <int D>
+using Vector = glm::vec<D, double>;
+
+/// A point of a curve and its first two derivatives by the segment's own parameter t in [0, 1].
+template <int D>
+struct CurvePoint {
+  Vector<D> position;
+  Vector<D> first;
+  Vector<D> second;
+};
+
+/// Bezier segment of any degree from 1: control.size() == degree + 1. Degree 1 is a straight line.
+template <int D>
+struct BezierSegment {
+  std::vector<Vector<D>> control;
+};
+
+/// center + cos(a) x_axis + sin(a) y_axis, a from `from_deg` to `to_deg`. Whole quarter turns are exact.
+template <int D>
+struct ArcSegment {
+  Vector<D> center;
+  Vector<D> x_axis;
+  Vector<D> y_axis;
+  double from_deg;
+  double to_deg;
+};
+
+template <int D>
+using Segment = std::variant<BezierSegment<D>, ArcSegment<D>>;
+
+template <int D>
+CurvePoint<D> evaluate(const Segment<D>& segment, double t);
+
+/// A point of a curve named by its segment and the segment's own parameter in [0, 1].
+struct CurveLocation {
+  std::size_t segment = 0;
+  double t = 0;
+};
+
+/// Smooth segments joined end to end, measured by arc length (relative error below 1e-9).
+/// Corners - joints where the direction jumps - are kept and known.
+template <int D>
+class Curve {
+ public:
+  /// Throws InputError when there is no segment, a coordinate is not finite, neighbours do not meet, or the
+  /// length is zero. A curve is closed if its ends coincide.
+  explicit Curve(std::vector<Segment<D>> segments);
+
+  std::span<const Segment<D>> segments() const { return segments_; }
+  bool is_closed() const { return is_closed_; }
+  double length() const { return end_lengths_.back(); }
+  /// Arc length from the curve's start to the end of each segment.
+  std::span<const double> end_lengths() const { return end_lengths_; }
+  /// Is the joint at the start of this segment a corner? For segment 0: of a closed curve's seam; false on an
+  /// open one.
+  bool is_corner(std::size_t segment) const { return corner_at_start_[segment]; }
+
+  CurvePoint<D> evaluate(CurveLocation location) const;
+  /// The location at `length` from the start, 0 <= length <= length().
+  CurveLocation locate(double length) const;
+
+ private:
+  std::vector<Segment<D>> segments_;
+  std::vector<double> end_lengths_;
+  std::vector<bool> corner_at_start_;
+  bool is_closed_ = false;
+};
+
+using Curve2 = Curve<2>;
+using Curve3 = Curve<3>;
+
+/// One Bezier segment of degree points.size() - 1. Throws InputError below 2 points.
+template <int D>
+Curve<D> bezier_curve(const std::vector<Vector<D>>& control_points);
+
+/// Bezier segments, each beginning where the one before ends. Throws InputError where they do not meet.
+template <int D>
+Curve<D> joined_bezier_curve(const std::vector<std::vector<Vector<D>>>& segments);
+
+/// A smooth curve through hand-given points: the centripetal Catmull-Rom spline as cubic Bezier segments,
+/// which does not overshoot at uneven spacing [Yuksel11]. Throws InputError below 2 points (3 when closed).
+template <int D>
+Curve<D> free_curve(const std::vector<Vector<D>>& points, bool is_closed);
+
+/// Straight segments through the points; every point is a corner. Throws InputError below 2 points (3 when
+/// closed).
+template <int D>
+Curve<D> polyline(const std::vector<Vector<D>>& points, bool is_closed);
+
+/// Circle in the x,y plane, from +x counter-clockwise as seen from +z. Throws InputError unless radius is > 0
+/// and finite.
+Curve2 circle_contour(double radius);
+
+/// Circle in the x,z plane, from +x counter-clockwise as seen from +y.
+Curve3 circle_trajectory(double radius);
+
+}  // namespace sweepkit::sweep

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sweepkit/texmap/image.hpp"
+
+namespace sweepkit::texmap {
+
+/// How a file's numbers stand for light. sRGB applies to integer files; float files are linear always.
+enum class ColorSpace { kSrgb, kLinear };
+
+/// Reads any image OpenImageIO knows, decoded to linear light. The first call loads the image module.
+/// Throws InputError naming the file: missing, no image, no pixels, or too large (over 2^31 texels).
+Image read_image(const std::filesystem::path& file, ColorSpace color_space);
+
+struct ImageFileInfo {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::string format;       ///< "png", "jpeg", "tiff", "openexr", ...
+  std::string sample_type;  ///< "uint8", "uint16", "half", "float"
+};
+/// The header alone. Throws InputError as read_image does.
+ImageFileInfo read_image_info(const std::filesystem::path& file);
+
+enum class ImageFormat { kPng, kJpeg, kTiff, kExr };
+
+/// The format that a file name ends in: .png .jpg .jpeg .tif .tiff .exr. Throws InputError for any other.
+ImageFormat image_format(const std::filesystem::path& file);
+
+/// The bytes of an image file: PNG, JPEG and TIFF 8-bit sRGB (or linear, for data), EXR 16-bit half linear.
+/// The same image gives the same bytes (no time stamps). Throws OutputError if the encoder fails.
+std::vector<std::byte> encode_image(const Image& image, ImageFormat format,
+                                    ColorSpace color_space = ColorSpace::kSrgb);
+
+/// Was the image module loaded in this process? (--explain's counters and tests read it.)
+bool is_image_module_loaded();
+
+}  // namespace sweepkit::texmap

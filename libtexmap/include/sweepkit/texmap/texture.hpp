@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <variant>
+
+#include "sweepkit/texmap/image.hpp"
+#include "sweepkit/texmap/procedural.hpp"
+
+namespace sweepkit::texmap {
+
+enum class Wrap { kRepeat, kClamp };
+
+/// An image laid over (u,v): u to the right, v upwards, the top row at v = 1.
+struct ImageTexture {
+  std::shared_ptr<const Image> image;
+  Wrap wrap = Wrap::kRepeat;
+};
+
+using Texture = std::variant<ImageTexture, Procedural>;
+
+/// The colour at one point, linear RGB: the texel that (u,v) falls in, or the procedural's value. `position`
+/// is in the object's own space, metres; only procedurals on position read it. (u,v) that are not finite give
+/// the texel (0,0).
+glm::vec3 point_sample(const Texture& texture, glm::dvec2 uv, const glm::dvec3& position);
+
+}  // namespace sweepkit::texmap
