@@ -5,7 +5,7 @@ add_library(sweepkit::compile ALIAS sweepkit_compile)
 target_compile_options(
   sweepkit_compile
   INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
-            -Woverloaded-virtual -Wnull-dereference
+            -Woverloaded-virtual
             # Same input, same bytes on every machine: no fused multiply-add, no reordering (docs/architecture.md).
             -ffp-contract=off)
 if(SWEEPKIT_WERROR)

@@ -43,6 +43,11 @@ using Segment = std::variant<BezierSegment<D>, ArcSegment<D>>;
 template <int D>
 CurvePoint<D> evaluate(const Segment<D>& segment, double t);
 
+/// The unit direction of travel at t; at a cusp or a repeated control point the limit (from the left at t =
+/// 1, else from the right), never NaN for a segment of positive length.
+template <int D>
+Vector<D> tangent(const Segment<D>& segment, double t);
+
 /// A point of a curve named by its segment and the segment's own parameter in [0, 1].
 struct CurveLocation {
   std::size_t segment = 0;
@@ -68,11 +73,22 @@ class Curve {
   bool is_corner(std::size_t segment) const { return corner_at_start_[segment]; }
 
   CurvePoint<D> evaluate(CurveLocation location) const;
-  /// The location at `length` from the start, 0 <= length <= length().
+  Vector<D> tangent(CurveLocation location) const;
+  /// The location at `length` from the start, clamped to 0 <= length <= length().
   CurveLocation locate(double length) const;
 
  private:
+  // A stretch of a segment short enough for one Gauss-Legendre rule.
+  struct Stretch {
+    std::size_t segment;
+    double from, to;        // of the segment's parameter
+    double length_at_from;  // from the curve's start
+  };
+  void measure();
+  void find_corners();
+
   std::vector<Segment<D>> segments_;
+  std::vector<Stretch> stretches_;
   std::vector<double> end_lengths_;
   std::vector<bool> corner_at_start_;
   bool is_closed_ = false;

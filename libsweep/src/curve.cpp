@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// Curves as joined segments measured by arc length. The length of a segment is integrated by Gauss-Legendre
+// rules over stretches that are halved until the rule agrees with its two halves to 1e-13 of the whole; a
+// cusp, where the speed has a kink, ends the halving at a stretch too short to matter. locate() inverts by
+// Newton's method kept inside the stretch.
+
+#include "sweepkit/sweep/curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "gauss_legendre.hpp"
+#include "sweepkit/error.hpp"
+
+namespace sweepkit::sweep {
+namespace {
+
+// Ends that differ by less than this share of the curve's size were meant to meet: hand-typed and exported
+// coordinates carry 6 to 9 digits at best after a transform, and a real gap is far wider.
+constexpr double kMeetTolerance = 1e-9;
+
+// A joint that bends by less (radians) is smooth: a fiftieth of a degree shows in no normal.
+constexpr double kSmoothAngle = 3e-4;
+
+template <int D>
+bool is_finite(const Vector<D>& point) {
+  for (int i = 0; i < D; ++i) {
+    if (!std::isfinite(point[i])) return false;
+  }
+  return true;
+}
+
+template <int D>
+void check_finite(const Segment<D>& segment) {
+  const bool is_sound = std::visit(
+      [](const auto& kind) {
+        if constexpr (requires { kind.control; }) {
+          return std::all_of(kind.control.begin(), kind.control.end(),
+                             [](const Vector<D>& p) { return is_finite<D>(p); });
+        } else {
+          return is_finite<D>(kind.center) && is_finite<D>(kind.x_axis) && is_finite<D>(kind.y_axis) &&
+                 std::isfinite(kind.from_deg) && std::isfinite(kind.to_deg);
+        }
+      },
+      segment);
+  if (!is_sound) throw InputError("needs finite coordinates, got NaN or infinity");
+}
+
+template <int D>
+bool has_no_extent(const Segment<D>& segment) {
+  if (const auto* bezier = std::get_if<BezierSegment<D>>(&segment)) {
+    return std::all_of(bezier->control.begin(), bezier->control.end(),
+                       [&](const Vector<D>& p) { return p == bezier->control.front(); });
+  }
+  const auto& arc = std::get<ArcSegment<D>>(segment);
+  return arc.from_deg == arc.to_deg || (arc.x_axis == Vector<D>{0.0} && arc.y_axis == Vector<D>{0.0});
+}
+
+template <int D>
+double speed(const Segment<D>& segment, double t) {
+  return glm::length(evaluate<D>(segment, t).first);
+}
+
+template <int D>
+double length_between(const Segment<D>& segment, double from, double to) {
+  return gauss_legendre_16(from, to, [&](double t) { return speed<D>(segment, t); });
+}
+
+}  // namespace
+
+template <int D>
+Curve<D>::Curve(std::vector<Segment<D>> segments) : segments_(std::move(segments)) {
+  for (const Segment<D>& segment : segments_) check_finite<D>(segment);
+  std::erase_if(segments_, has_no_extent<D>);
+  if (segments_.empty()) throw InputError("has no length: all its points are the same; give two that differ");
+
+  double size = 0;
+  const Vector<D> start = sweep::evaluate<D>(segments_.front(), 0).position;
+  for (const Segment<D>& segment : segments_) {
+    for (const double t : {0.25, 0.5, 1.0}) {
+      size = std::max(size, glm::length(sweep::evaluate<D>(segment, t).position - start));
+    }
+  }
+  for (std::size_t i = 1; i < segments_.size(); ++i) {
+    const double gap = glm::length(sweep::evaluate<D>(segments_[i], 0).position -
+                                   sweep::evaluate<D>(segments_[i - 1], 1).position);
+    if (gap > kMeetTolerance * size) {
+      throw InputError("segment " + std::to_string(i) + " begins " + std::to_string(gap) +
+                       " m from where segment " + std::to_string(i - 1) + " ends; let it begin there");
+    }
+  }
+  is_closed_ = glm::length(sweep::evaluate<D>(segments_.back(), 1).position - start) <= kMeetTolerance * size;
+  measure();
+  find_corners();
+}
+
+template <int D>
+void Curve<D>::measure() {
+  constexpr int kMaxDepth = 48;
+  double total = 0;
+  double rough = 0;
+  for (const Segment<D>& segment : segments_) rough += length_between<D>(segment, 0, 1);
+  if (!std::isfinite(rough))
+    throw InputError("has coordinates too large to measure: its length is not a finite number");
+
+  for (std::size_t index = 0; index < segments_.size(); ++index) {
+    const Segment<D>& segment = segments_[index];
+    // Depth first, left before right, so that the stretches come in order.
+    struct Task {
+      double from, to, length;
+      int depth;
+    };
+    std::vector<Task> tasks = {{0, 1, length_between<D>(segment, 0, 1), 0}};
+    while (!tasks.empty()) {
+      const Task task = tasks.back();
+      tasks.pop_back();
+      const double middle = 0.5 * (task.from + task.to);
+      const double left = length_between<D>(segment, task.from, middle);
+      const double right = length_between<D>(segment, middle, task.to);
+      if (std::abs(left + right - task.length) <= 1e-13 * rough || task.depth == kMaxDepth) {
+        stretches_.push_back({index, task.from, task.to, total});
+        total += left + right;
+      } else {
+        tasks.push_back({middle, task.to, right, task.depth + 1});
+        tasks.push_back({task.from, middle, left, task.depth + 1});
+      }
+    }
+    end_lengths_.push_back(total);
+  }
+  if (!(total > 0)) throw InputError("has no length; give two points that differ");
+}
+
+template <int D>
+void Curve<D>::find_corners() {
+  corner_at_start_.assign(segments_.size(), false);
+  for (std::size_t i = is_closed_ ? 0 : 1; i < segments_.size(); ++i) {
+    const Segment<D>& before = segments_[i == 0 ? segments_.size() - 1 : i - 1];
+    const Vector<D> in = sweep::tangent<D>(before, 1);
+    const Vector<D> out = sweep::tangent<D>(segments_[i], 0);
+    corner_at_start_[i] = glm::length(out - in) > kSmoothAngle;
+  }
+}
+
+template <int D>
+CurvePoint<D> Curve<D>::evaluate(CurveLocation location) const {
+  return sweep::evaluate<D>(segments_[location.segment], location.t);
+}
+
+template <int D>
+Vector<D> Curve<D>::tangent(CurveLocation location) const {
+  return sweep::tangent<D>(segments_[location.segment], location.t);
+}
+
+template <int D>
+CurveLocation Curve<D>::locate(double length) const {
+  if (!(length > 0)) return {0, 0};
+  if (length >= this->length()) return {segments_.size() - 1, 1};
+  const auto after =
+      std::upper_bound(stretches_.begin(), stretches_.end(), length,
+                       [](double value, const Stretch& stretch) { return value < stretch.length_at_from; });
+  const Stretch& stretch = *(after - 1);
+  const double stretch_end = after == stretches_.end() ? this->length() : after->length_at_from;
+  const double wanted = length - stretch.length_at_from;
+  const double whole = stretch_end - stretch.length_at_from;
+  const Segment<D>& segment = segments_[stretch.segment];
+
+  double low = stretch.from;
+  double high = stretch.to;
+  double t = whole > 0 ? low + (high - low) * std::min(1.0, wanted / whole) : low;
+  for (int step = 0; step < 60; ++step) {
+    const double error = length_between<D>(segment, stretch.from, t) - wanted;
+    if (std::abs(error) <= 1e-15 * this->length()) break;
+    (error > 0 ? high : low) = t;
+    const double rate = speed<D>(segment, t);
+    double next = rate > 0 ? t - error / rate : low;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (next == t) break;
+    t = next;
+  }
+  return {stretch.segment, t};
+}
+
+template class Curve<2>;
+template class Curve<3>;
+
+}  // namespace sweepkit::sweep

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "stations.hpp"
+#include "sweepkit/sweep/mesh.hpp"
+
+namespace sweepkit::sweep {
+
+/// Stations first..last between two breaks of the normal.
+struct Run {
+  std::size_t first;
+  std::size_t last;
+};
+
+/// Splits stations 0..count-1 at those where `breaks[i]` is set (ends excepted).
+std::vector<Run> split_runs(const std::vector<bool>& breaks);
+
+/// Lays out the patches of a wall (every row run with every column run) behind what the mesh holds, as one
+/// area, and writes their triangles. The vertices are left for the caller to write.
+void lay_out_wall(Mesh& mesh, const std::vector<Run>& column_runs, const std::vector<Run>& row_runs,
+                  const std::vector<bool>& pole_rows, glm::dvec2 period);
+
+/// Room for more vertices behind those the mesh has; the edges are left alone. Returns the first new vertex.
+std::uint32_t add_vertices(Mesh& mesh, std::size_t count);
+
+/// The origin for a mesh with this bounding box: its middle, rounded to a multiple of a power of two about as
+/// large as the box, so that it is exactly 0 for whatever lies about the world's origin and never costs the
+/// positions a bit.
+glm::dvec3 choose_origin(const glm::dvec3& low, const glm::dvec3& high);
+
+}  // namespace sweepkit::sweep

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// A contour (r, h) turned about +Y: S(a, s) = (r cos a, h, -r sin a). The normal is the contour's own
+// right-hand normal (h', -r') turned along; it needs no radius, so it is finite and right at a pole too.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cap.hpp"
+#include "grid_writer.hpp"
+#include "half_edges.hpp"
+#include "section.hpp"
+#include "sweepkit/error.hpp"
+#include "sweepkit/sweep/sweep.hpp"
+#include "whole_angle.hpp"
+
+namespace sweepkit::sweep {
+namespace {
+
+// A radius below this share of the contour's size was meant to be 0: it is what rounding leaves of it.
+constexpr double kOnAxis = 1e-12;
+
+void snap_to_axis(Section& section) {
+  double size = 0;
+  for (const SectionPoint& point : section.points) size = std::max(size, std::abs(point.position.x));
+  for (SectionPoint& point : section.points) {
+    if (std::abs(point.position.x) <= kOnAxis * size) point.position.x = 0;
+    if (point.position.x < 0) {
+      throw InputError("crosses the axis: x is " + std::to_string(point.position.x) + " m at height " +
+                       std::to_string(point.position.y) + " m; keep x, the distance from it, at 0 or above");
+    }
+  }
+  if (!(size > 0)) throw InputError("lies on the axis; move it away from x = 0");
+}
+
+void add_cap(Mesh& mesh, const Section& section, double angle_deg, bool is_first) {
+  std::vector<glm::dvec2> outline;
+  for (std::size_t i = 0; i + 1 < section.points.size(); ++i) outline.push_back(section.points[i].position);
+  glm::dvec2 low = outline.front();
+  glm::dvec2 high = low;
+  for (const glm::dvec2& p : outline) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double size = std::max(high.x - low.x, high.y - low.y);
+  const auto [c, s] = cos_sin_deg(angle_deg);
+  // The turn goes along (-sin, 0, -cos); the first cap looks back, the last one ahead.
+  const glm::dvec3 ahead(-s, 0, -c);
+  const std::uint32_t first = add_vertices(mesh, outline.size());
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const glm::dvec2& p = outline[i];
+    mesh.positions()[first + i] = glm::vec3(glm::dvec3(p.x * c, p.y, -p.x * s) - mesh.origin);
+    mesh.normals()[first + i] = glm::vec3(is_first ? -ahead : ahead);
+    const double u = (is_first ? p.x - low.x : high.x - p.x) / size;
+    mesh.texcoords()[first + i] = {static_cast<float>(u), static_cast<float>((p.y - low.y) / size)};
+  }
+  Area area;
+  area.first_triangle = static_cast<std::uint32_t>(mesh.triangles.size());
+  // Counter-clockwise in (r, h) faces against the turn.
+  for (const Triangle& t : triangulate_polygon(outline)) {
+    mesh.triangles.push_back(is_first ? Triangle{first + t[0], first + t[1], first + t[2]}
+                                      : Triangle{first + t[0], first + t[2], first + t[1]});
+  }
+  area.triangle_count = static_cast<std::uint32_t>(mesh.triangles.size()) - area.first_triangle;
+  mesh.areas.push_back(area);
+}
+
+}  // namespace
+
+Mesh revolve(const Curve2& contour, const RevolveOptions& options) {
+  check_cells(options.tessellation.contour, "contour");
+  check_cells(options.tessellation.trajectory, "turn");
+  if (!(options.angle_deg > 0 && options.angle_deg <= 360)) {
+    throw InputError("angle_deg needs to be above 0 and at most 360, got " +
+                     std::to_string(options.angle_deg));
+  }
+  const bool is_whole = options.angle_deg == 360;
+  const int columns = options.tessellation.trajectory;
+  if (is_whole && columns < 3) {
+    throw InputError("tessellation along the turn needs at least 3 cells for a whole turn, got " +
+                     std::to_string(columns));
+  }
+  Section section = make_section(contour, options.tessellation.contour, options.crease_deg, options.uv.by);
+  snap_to_axis(section);
+
+  const std::size_t row_count = section.points.size();
+  std::vector<bool> poles(row_count);
+  std::vector<bool> breaks = section.breaks;
+  glm::dvec3 low(0.0);
+  glm::dvec3 high(0.0);
+  double radius = 0;
+  low.y = high.y = section.points.front().position.y;
+  for (std::size_t j = 0; j < row_count; ++j) {
+    const glm::dvec2& p = section.points[j].position;
+    poles[j] = p.x == 0;
+    if (poles[j]) breaks[j] = true;
+    radius = std::max(radius, p.x);
+    low.y = std::min(low.y, p.y);
+    high.y = std::max(high.y, p.y);
+  }
+  low.x = low.z = -radius;
+  high.x = high.z = radius;
+
+  Mesh mesh;
+  mesh.origin = choose_origin(low, high);
+  std::vector<bool> turn_breaks(static_cast<std::size_t>(columns) + 1, false);
+  const std::vector<Run> column_runs = split_runs(turn_breaks);
+  const std::vector<Run> row_runs = split_runs(breaks);
+  const glm::dvec2 period(is_whole ? options.uv.repeat.x : 0, section.is_closed ? options.uv.repeat.y : 0);
+  lay_out_wall(mesh, column_runs, row_runs, poles, period);
+
+  std::vector<CosSin> turn;
+  std::vector<float> u;
+  for (int i = 0; i <= columns; ++i) {
+    turn.push_back(cos_sin_deg(i == columns ? options.angle_deg : options.angle_deg * i / columns));
+    u.push_back(static_cast<float>(options.uv.repeat.x * i / columns));
+  }
+  const std::span<glm::vec3> positions = mesh.positions();
+  const std::span<glm::vec3> normals = mesh.normals();
+  const std::span<glm::vec2> texcoords = mesh.texcoords();
+  std::size_t vertex = 0;
+  for (const Run& run : row_runs) {
+    if (run.last - run.first == 1 && poles[run.first] && poles[run.last]) continue;
+    for (std::size_t j = run.first; j <= run.last; ++j) {
+      const SectionPoint& point = section.points[j];
+      const glm::dvec2& tangent = j == run.first ? point.tangent_out : point.tangent_in;
+      const double r = point.position.x;
+      const auto v = static_cast<float>(section.fractions[j] * options.uv.repeat.y);
+      const std::size_t first = poles[j] && j == run.first ? 1 : 0;
+      const std::size_t last = poles[j] && j == run.last ? turn.size() - 2 : turn.size() - 1;
+      for (std::size_t i = first; i <= last; ++i, ++vertex) {
+        const auto [c, s] = turn[i];
+        positions[vertex] = glm::vec3(glm::dvec3(r * c, point.position.y, -r * s) - mesh.origin);
+        normals[vertex] = glm::vec3(glm::dvec3(tangent.y * c, -tangent.x, -tangent.y * s));
+        texcoords[vertex] = {u[i], v};
+      }
+    }
+  }
+  if (options.caps == Caps::kFlat && section.is_closed && !is_whole) {
+    add_cap(mesh, section, 0, true);
+    add_cap(mesh, section, options.angle_deg, false);
+  }
+  if (options.has_half_edges) write_half_edges(mesh);
+  return mesh;
+}
+
+}  // namespace sweepkit::sweep

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// Points, derivatives and directions of one segment.
+// Bezier segments by de Casteljau's corner cutting: only convex combinations, so the error stays at a few
+// units in the last place times the condition number at any degree. Its last three levels give the
+// derivatives.
+
+#include <cmath>
+#include <numbers>
+
+#include "sweepkit/sweep/curve.hpp"
+#include "whole_angle.hpp"
+
+namespace sweepkit::sweep {
+namespace {
+
+template <int D>
+CurvePoint<D> evaluate_segment(const BezierSegment<D>& segment, double t) {
+  std::vector<Vector<D>> level = segment.control;
+  const std::size_t degree = level.size() - 1;
+  const auto n = static_cast<double>(degree);
+  CurvePoint<D> point{Vector<D>(0.0), Vector<D>(0.0), Vector<D>(0.0)};
+  for (std::size_t left = degree; left > 0; --left) {
+    if (left == 2) point.second = n * (n - 1) * ((level[2] - level[1]) - (level[1] - level[0]));
+    if (left == 1) point.first = n * (level[1] - level[0]);
+    for (std::size_t i = 0; i < left; ++i) level[i] = (1 - t) * level[i] + t * level[i + 1];
+  }
+  point.position = level[0];
+  return point;
+}
+
+template <int D>
+CurvePoint<D> evaluate_segment(const ArcSegment<D>& segment, double t) {
+  const double sweep_deg = segment.to_deg - segment.from_deg;
+  const double rate = sweep_deg * (std::numbers::pi / 180.0);
+  const auto [c, s] = cos_sin_deg(t == 1 ? segment.to_deg : segment.from_deg + t * sweep_deg);
+  const Vector<D> radial = c * segment.x_axis + s * segment.y_axis;
+  return {segment.center + radial, rate * (c * segment.y_axis - s * segment.x_axis), -rate * rate * radial};
+}
+
+}  // namespace
+
+template <int D>
+CurvePoint<D> evaluate(const Segment<D>& segment, double t) {
+  return std::visit([t](const auto& kind) { return evaluate_segment<D>(kind, t); }, segment);
+}
+
+template <int D>
+Vector<D> tangent(const Segment<D>& segment, double t) {
+  const CurvePoint<D> here = evaluate<D>(segment, t);
+  const double scale = glm::length(here.second) +
+                       glm::length(evaluate<D>(segment, t < 0.5 ? 1.0 : 0.0).position - here.position);
+  const double speed = glm::length(here.first);
+  // Below a 1e-9 share of the segment's size the direction of the derivative is rounding: take the chord's
+  // instead.
+  if (speed > 1e-9 * scale) return here.first / speed;
+  for (double step = 1e-6; step <= 1.0; step *= 4) {
+    const bool is_backward = t + step > 1;
+    const double other = is_backward ? t - step : t + step;
+    if (other < 0) break;
+    Vector<D> chord = evaluate<D>(segment, other).position - here.position;
+    if (is_backward) chord = -chord;
+    const double length = glm::length(chord);
+    if (length > 1e-12 * scale) return chord / length;
+  }
+  const Vector<D> chord = evaluate<D>(segment, 1.0).position - evaluate<D>(segment, 0.0).position;
+  const double length = glm::length(chord);
+  Vector<D> fallback{0.0};
+  fallback[0] = 1;
+  return length > 0 ? chord / length : fallback;
+}
+
+template CurvePoint<2> evaluate<2>(const Segment<2>&, double);
+template CurvePoint<3> evaluate<3>(const Segment<3>&, double);
+template Vector<2> tangent<2>(const Segment<2>&, double);
+template Vector<3> tangent<3>(const Segment<3>&, double);
+
+}  // namespace sweepkit::sweep

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "sweepkit/sweep/curve.hpp"
+#include "sweepkit/sweep/options.hpp"
+
+namespace sweepkit::sweep {
+
+/// Where vertices stand along a curve. At a corner the curve arrives at one location and leaves from another.
+struct Station {
+  CurveLocation in;
+  CurveLocation out;
+  double length = 0;     ///< from the curve's start
+  double parameter = 0;  ///< 0 at the start, 1 at the end, each segment an equal share
+  bool is_corner = false;
+};
+
+/// Stations at the start, the end, every corner, and in between so that there are `cells` cells: shared among
+/// the smooth pieces by length, at least one each (so a curve with more pieces than cells has one cell a
+/// piece), equally long inside a piece. A closed curve has its start again as its last station.
+template <int D>
+std::vector<Station> place_stations(const Curve<D>& curve, int cells);
+
+/// The stations of the same curve walked the other way.
+template <int D>
+std::vector<Station> reversed(const Curve<D>& curve, std::vector<Station> stations);
+
+/// 0 to 1 along the stations, by arc length or by parameter.
+std::vector<double> texture_fractions(const std::vector<Station>& stations, UvBy by);
+
+/// Throws InputError unless 1 <= cells <= kMaxCells. `along` names them in the message ("contour").
+void check_cells(int cells, const char* along);
+
+}  // namespace sweepkit::sweep
