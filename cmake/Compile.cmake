@@ -4,7 +4,7 @@ add_library(sweepkit::compile ALIAS sweepkit_compile)
 
 target_compile_options(
   sweepkit_compile
-  INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers -Wnon-virtual-dtor -Wold-style-cast
             -Woverloaded-virtual
             # Same input, same bytes on every machine: no fused multiply-add, no reordering (docs/architecture.md).
             -ffp-contract=off)

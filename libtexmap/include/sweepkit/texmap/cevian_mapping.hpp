@@ -7,13 +7,57 @@
 #include "sweepkit/texmap/area_ratio_mapping.hpp"
 #include "sweepkit/texmap/right_triangle.hpp"
 
-namespace sweepkit::texmap {
+// Based on [Akdemir98, eq. 5-11], kept as printed for comparison.
+//
+// Symbols: H1 the hit, T1 = (A1, B1, C1) the model's triangle, T2 = (A2, B2, C2) the texture's; I_BC the
+// point where the line from A1 through H1 meets B1C1, r_BC = |B1 I_BC| / |B1C1| (eq. 5), r_BA likewise on
+// B1A1, r_AC on A1C1.
 
-/// The paper's map [Akdemir98, eq. 5-11], its choice of plane and its special cases (H1 = A1, H1 on A1C1)
-/// kept as they are, for comparison: near the hypotenuse eq. 9 tends to 0/0 and the result may be NaN. Use
-/// area_ratio_map().
+namespace sweepkit::texmap {
+namespace cevian {
+
+// Eq. 8: the share of edge from -> to (of its length, from `from`) where the line from `apex` through the hit
+// meets it, in the plane of coordinates i and j.
+template <class Real>
+Real ratio(const glm::vec<3, Real>& apex, const glm::vec<3, Real>& from, const glm::vec<3, Real>& to,
+           const glm::vec<3, Real>& hit, int i, int j) {
+  const Real numerator = (hit[i] - apex[i]) * (to[j] - hit[j]) - (hit[j] - apex[j]) * (to[i] - hit[i]);
+  const Real denominator = (hit[j] - apex[j]) * (from[i] - to[i]) - (hit[i] - apex[i]) * (from[j] - to[j]);
+  return 1 - numerator / denominator;
+}
+
+}  // namespace cevian
+
+/// The paper's map, its choice of plane and its special cases (H1 = A1, H1 on A1C1) as they are. Near the
+/// hypotenuse eq. 9 tends to 0/0, and planes that contain the z direction without being an x- or y-plane (x =
+/// y, say) give 0/0 in eq. 8: the result may be NaN. Use area_ratio_map().
 template <class Real>
 glm::vec<2, Real> cevian_map(const Triangle3<Real>& triangle, const RightTriangle& right,
-                             const glm::vec<3, Real>& hit);
+                             const glm::vec<3, Real>& hit) {
+  const auto& [a1, b1, c1] = triangle;
+  const Real bc = static_cast<Real>(right.bc);
+  const Real ba = static_cast<Real>(right.ba);
+  const glm::vec<2, Real> b2(static_cast<Real>(right.b.x), static_cast<Real>(right.b.y));
+  if (hit == a1) return {b2.x, b2.y + ba};
+
+  // "If T1 is on the x-plane, the xs should be replaced with zs, and if T1 is on the y-plane, the ys".
+  int i = 0;
+  int j = 1;
+  if (a1.x == b1.x && b1.x == c1.x) {
+    i = 2;
+  } else if (a1.y == b1.y && b1.y == c1.y) {
+    j = 2;
+  }
+  const Real r_bc = cevian::ratio(a1, b1, c1, hit, i, j);
+  const Real r_ba = cevian::ratio(c1, b1, a1, hit, i, j);
+  if (r_bc == 1 && r_ba == 1) {  // on the hypotenuse: eq. 10-11
+    const Real r_ac = cevian::ratio(b1, a1, c1, hit, i, j);
+    return {b2.x + r_ac * bc, b2.y + (1 - r_ac) * ba};
+  }
+  const Real product = r_bc * r_ba;
+  const Real along_u = (product - r_bc) / (product - 1);  // eq. 9
+  const Real along_v = (product - r_ba) / (product - 1);
+  return {b2.x + along_u * bc, b2.y + along_v * ba};
+}
 
 }  // namespace sweepkit::texmap

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 
 #include "sweepkit/texmap/image.hpp"
 
@@ -15,6 +17,9 @@ struct PixelRect {
 
 /// Root of the mean squared difference over RGB, in linear light. Throws InputError if the sizes differ.
 double rmse(const Image& image, const Image& reference, const PixelRect& rect = {});
+
+/// The same over the pixels where `mask` is not 0 (row by row, one byte a pixel); 0 if there is none.
+double rmse(const Image& image, const Image& reference, std::span<const std::uint8_t> mask);
 
 /// Peak signal-to-noise ratio in dB for a peak of 1; infinity for equal images.
 double psnr(const Image& image, const Image& reference, const PixelRect& rect = {});

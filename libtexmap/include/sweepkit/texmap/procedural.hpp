@@ -23,7 +23,7 @@ struct Procedural {
   double scale = 1;               ///< periods in a unit of (u,v) or a metre
   double grout = 0.06;            ///< tiles: its width as a share of a tile, 0 to 1
   std::vector<double> widths;     ///< bands: one a colour
-  double turbulence = 4;          ///< marble: how far the veins are bent
+  double turbulence = 5;          ///< marble: how far the veins are bent
   int octaves = 6;                ///< marble
 };
 

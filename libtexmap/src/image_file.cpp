@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "sweepkit/texmap/image_file.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+
+#include "image_module.hpp"
+#include "srgb.hpp"
+#include "sweepkit/error.hpp"
+
+namespace sweepkit::texmap {
+namespace {
+
+std::atomic<bool> is_loaded = false;
+
+// The folder of the program or shared library that holds this code.
+std::filesystem::path own_folder() {
+  Dl_info info{};
+  std::error_code ignored;
+  if (dladdr(reinterpret_cast<const void*>(&own_folder), &info) != 0 && info.dli_fname != nullptr) {
+    const std::filesystem::path library = std::filesystem::canonical(info.dli_fname, ignored);
+    if (!ignored) return library.parent_path();
+  }
+  return std::filesystem::canonical("/proc/self/exe", ignored).parent_path();
+}
+
+const ImageModule& load_module() {
+  std::string tried;
+  const std::filesystem::path folder = own_folder();
+  for (const std::filesystem::path& candidate :
+       {folder / kImageModuleFile, folder / "../lib/sweepkit" / kImageModuleFile,
+        folder / "sweepkit" / kImageModuleFile}) {
+    if (void* library = dlopen(candidate.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+      if (const void* table = dlsym(library, kImageModuleSymbol)) {
+        is_loaded = true;
+        return *static_cast<const ImageModule*>(table);
+      }
+    }
+    const char* reason = dlerror();
+    tried += (tried.empty() ? "" : "; ") + std::string(reason != nullptr ? reason : candidate.c_str());
+  }
+  throw OutputError("the image module cannot be loaded (" + tried + "); install sweepkit whole");
+}
+
+// Loaded once a process, by whichever thread comes first.
+const ImageModule& module() {
+  static const ImageModule& loaded = load_module();
+  return loaded;
+}
+
+void check_exists(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (!std::filesystem::exists(status)) throw InputError({.file = file.string()}, "no such file");
+  if (std::filesystem::is_directory(status))
+    throw InputError({.file = file.string()}, "is a folder, not an image");
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+// 16-bit sRGB samples to 16-bit linear light, rounded to nearest.
+std::vector<std::uint16_t> make_decode_table() {
+  std::vector<std::uint16_t> table(65536);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    table[i] =
+        static_cast<std::uint16_t>(std::lround(65535 * linear_from_srgb(static_cast<double>(i) / 65535)));
+  }
+  return table;
+}
+
+bool is_alpha(std::size_t channel, int channels) {
+  return channels % 2 == 0 && channel + 1 == static_cast<std::size_t>(channels);
+}
+
+void decode_srgb(std::vector<std::uint16_t>& samples, int channels) {
+  static const std::vector<std::uint16_t> table = make_decode_table();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!is_alpha(i % static_cast<std::size_t>(channels), channels)) samples[i] = table[samples[i]];
+  }
+}
+
+std::uint8_t to_byte(double value, bool is_srgb) {
+  const double clamped = value > 0 ? std::min(value, 1.0) : 0.0;  // NaN is 0
+  return static_cast<std::uint8_t>(std::lround(255 * (is_srgb ? srgb_from_linear(clamped) : clamped)));
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& file, ColorSpace color_space) {
+  check_exists(file);
+  ModuleImage read;
+  const std::string problem = module().read(file.string(), read);
+  if (!problem.empty())
+    throw InputError({.file = file.string()}, "cannot be read as an image: " + one_line(problem));
+  Image image{read.width, read.height, read.channels, std::move(read.samples)};
+  if (auto* integers = std::get_if<std::vector<std::uint16_t>>(&image.texels)) {
+    if (color_space == ColorSpace::kSrgb) decode_srgb(*integers, image.channels);
+    return image;
+  }
+  const auto& floats = std::get<std::vector<float>>(image.texels);
+  const auto bad =
+      std::find_if_not(floats.begin(), floats.end(), [](float value) { return std::isfinite(value); });
+  if (bad != floats.end()) {
+    const auto pixel = (bad - floats.begin()) / image.channels;
+    throw InputError({.file = file.string()}, "has NaN or infinity at pixel (" +
+                                                  std::to_string(pixel % image.width) + ", " +
+                                                  std::to_string(pixel / image.width) + "); mend the image");
+  }
+  return image;
+}
+
+ImageFileInfo read_image_info(const std::filesystem::path& file) {
+  check_exists(file);
+  ModuleInfo info;
+  const std::string problem = module().read_info(file.string(), info);
+  if (!problem.empty())
+    throw InputError({.file = file.string()}, "cannot be read as an image: " + one_line(problem));
+  return {info.width, info.height, info.channels, info.format, info.sample_type};
+}
+
+ImageFormat image_format(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".png") return ImageFormat::kPng;
+  if (extension == ".jpg" || extension == ".jpeg") return ImageFormat::kJpeg;
+  if (extension == ".tif" || extension == ".tiff") return ImageFormat::kTiff;
+  if (extension == ".exr") return ImageFormat::kExr;
+  throw InputError({.file = file.string()}, "a picture's name ends in .png, .jpg, .tif or .exr");
+}
+
+std::vector<std::byte> encode_image(const Image& image, ImageFormat format, ColorSpace color_space) {
+  static constexpr const char* kExtensions[] = {"png", "jpg", "tif", "exr"};
+  const bool is_srgb = color_space == ColorSpace::kSrgb && format != ImageFormat::kExr;
+  const std::size_t count = std::visit([](const auto& texels) { return texels.size(); }, image.texels);
+  const auto value = [&](std::size_t i) {
+    if (const auto* floats = std::get_if<std::vector<float>>(&image.texels))
+      return static_cast<double>((*floats)[i]);
+    return std::get<std::vector<std::uint16_t>>(image.texels)[i] / 65535.0;
+  };
+  std::vector<std::uint8_t> bytes;
+  std::vector<float> floats;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (format == ImageFormat::kExr) {
+      floats.push_back(static_cast<float>(value(i)));
+    } else {
+      bytes.push_back(to_byte(
+          value(i), is_srgb && !is_alpha(i % static_cast<std::size_t>(image.channels), image.channels)));
+    }
+  }
+  std::vector<std::byte> encoded;
+  const std::string problem =
+      module().encode({kExtensions[static_cast<std::size_t>(format)], image.width, image.height,
+                       image.channels, is_srgb, format == ImageFormat::kExr ? nullptr : bytes.data(),
+                       format == ImageFormat::kExr ? floats.data() : nullptr},
+                      encoded);
+  if (!problem.empty()) throw OutputError("cannot encode the image: " + one_line(problem));
+  return encoded;
+}
+
+bool is_image_module_loaded() {
+  return is_loaded;
+}
+
+}  // namespace sweepkit::texmap

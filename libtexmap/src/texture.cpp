@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "sweepkit/texmap/texture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sweepkit::texmap {
+namespace {
+
+// The texel that coordinate t (0 to 1 over `size` texels) falls in.
+int texel_index(double t, int size, Wrap wrap) {
+  if (wrap == Wrap::kRepeat) t -= std::floor(t);
+  const double index = std::floor(t * size);
+  // Rounding can reach `size` just below 1; NaN fails both comparisons and lands on 0.
+  return index > 0 ? static_cast<int>(std::min(index, static_cast<double>(size - 1))) : 0;
+}
+
+}  // namespace
+
+glm::vec3 point_sample(const Texture& texture, glm::dvec2 uv, const glm::dvec3& position) {
+  if (const auto* procedural = std::get_if<Procedural>(&texture)) return evaluate(*procedural, uv, position);
+  const auto& [image, wrap] = std::get<ImageTexture>(texture);
+  return image->color(texel_index(uv.x, image->width, wrap), texel_index(1 - uv.y, image->height, wrap));
+}
+
+}  // namespace sweepkit::texmap
