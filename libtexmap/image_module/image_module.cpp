@@ -138,8 +138,9 @@ std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes
   // The time of writing would make two runs differ.
   spec.attribute("DateTime", "2000:01:01 00:00:00");
   spec.attribute("Software", "sweepkit");
-  spec.attribute("oiio:ColorSpace", encoding.is_srgb ? "sRGB" : "Linear");
   const std::string extension = encoding.extension;
+  // In a TIFF this would become an Exif directory, which OpenImageIO 2.4 writes over the first one when in memory.
+  if (extension != "tif") spec.attribute("oiio:ColorSpace", encoding.is_srgb ? "sRGB" : "Linear");
   if (extension == "jpg") {
     spec.attribute("Compression", "jpeg:95");
     spec.attribute("jpeg:subsampling", "4:4:4");
