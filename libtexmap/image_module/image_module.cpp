@@ -47,48 +47,6 @@ std::unique_ptr<OIIO::ImageInput> open(const std::string& file, std::string& pro
   return input;
 }
 
-// A file in memory that can be written, sought and read back: libtiff patches its directory at the end, which
-// OpenImageIO's own IOVecOutput does not survive.
-class MemoryFile : public OIIO::Filesystem::IOProxy {
- public:
-  MemoryFile() : IOProxy("", Write) {}
-  const char* proxytype() const override { return "memory"; }
-  void close() override {}
-  std::int64_t tell() override { return m_pos; }
-  bool seek(std::int64_t offset) override {
-    m_pos = offset;
-    return true;
-  }
-  std::size_t read(void* buffer, std::size_t size) override {
-    const std::size_t count = pread(buffer, size, m_pos);
-    m_pos += static_cast<std::int64_t>(count);
-    return count;
-  }
-  std::size_t write(const void* buffer, std::size_t size) override {
-    const std::size_t count = pwrite(buffer, size, m_pos);
-    m_pos += static_cast<std::int64_t>(count);
-    return count;
-  }
-  std::size_t pread(void* buffer, std::size_t size, std::int64_t offset) override {
-    const auto from = static_cast<std::size_t>(offset);
-    const std::size_t count = from < bytes_.size() ? std::min(size, bytes_.size() - from) : 0;
-    if (count > 0) std::memcpy(buffer, bytes_.data() + from, count);
-    return count;
-  }
-  std::size_t pwrite(const void* buffer, std::size_t size, std::int64_t offset) override {
-    const auto from = static_cast<std::size_t>(offset);
-    if (bytes_.size() < from + size) bytes_.resize(from + size);
-    if (size > 0) std::memcpy(bytes_.data() + from, buffer, size);
-    return size;
-  }
-  std::size_t size() const override { return bytes_.size(); }
-  void flush() const override {}
-  std::vector<std::byte> take() { return std::move(bytes_); }
-
- private:
-  std::vector<std::byte> bytes_;
-};
-
 bool is_integer(const OIIO::TypeDesc& type) {
   return type.basetype == OIIO::TypeDesc::UINT8 || type.basetype == OIIO::TypeDesc::UINT16;
 }
@@ -147,7 +105,8 @@ std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes
   } else if (is_exr || extension == "tif") {
     spec.attribute("compression", "zip");
   }
-  MemoryFile memory;
+  std::vector<unsigned char> buffer;
+  OIIO::Filesystem::IOVecOutput memory(buffer);
   const std::string name = "picture." + extension;
   const auto output = OIIO::ImageOutput::create(name, &memory);
   if (!output) return last_error();
@@ -156,7 +115,8 @@ std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes
   const bool is_written = is_exr ? output->write_image(OIIO::TypeDesc::FLOAT, encoding.floats)
                                  : output->write_image(OIIO::TypeDesc::UINT8, encoding.bytes);
   if (!is_written || !output->close()) return output->geterror();
-  bytes = memory.take();
+  bytes.resize(buffer.size());
+  std::memcpy(bytes.data(), buffer.data(), buffer.size());
   return {};
 } catch (const std::exception& error) {
   return error.what();
