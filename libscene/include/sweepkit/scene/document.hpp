@@ -90,7 +90,6 @@ struct Document {
   int depth = 6;  ///< levels of reflection; 0 is the primary hit alone
   std::vector<Light> lights;
   std::vector<TextureEntry> textures;
-  std::vector<std::string> material_names;  ///< beside materials
   std::vector<Material> materials;
   std::vector<ObjectEntry> objects;  ///< not empty; names are unique
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "sweepkit/scene/document.hpp"
@@ -13,7 +14,7 @@ namespace sweepkit::scene {
 
 /// A Scene together with the meshes its views look at. Moving it keeps the views valid; it is not copied.
 struct Model {
-  std::vector<sweep::Mesh> meshes;  ///< one an object
+  std::vector<std::unique_ptr<const sweep::Mesh>> meshes;  ///< one an object; OpenMesh's cannot be moved
   Scene scene;
   Ledger ledger;  ///< half-edges, textures
 

@@ -40,6 +40,7 @@ struct Object {
 struct Scene {
   std::vector<MeshView> meshes;
   std::vector<texmap::Texture> textures;  ///< a texture that nothing uses has no image
+  std::vector<std::string> texture_names;
   std::vector<Material> materials;
   std::vector<Object> objects;
   std::vector<Light> lights;

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "sweepkit/scene/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "sweepkit/sweep/sweep.hpp"
+#include "sweepkit/texmap/image_file.hpp"
+
+namespace sweepkit::scene {
+namespace {
+
+sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
+  if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
+    return sweep::sweep(shape->contour, shape->trajectory,
+                        {piece.tessellation.value_or(sweep::Tessellation{}), piece.uv, piece.crease_deg,
+                         shape->caps, has_half_edges});
+  }
+  if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
+    return sweep::revolve(shape->contour, {piece.tessellation.value_or(sweep::Tessellation{}), piece.uv,
+                                           shape->angle_deg, piece.crease_deg, shape->caps, has_half_edges});
+  }
+  sweep::PlaneOptions options{.uv = piece.uv, .has_half_edges = has_half_edges};
+  if (piece.tessellation) options.tessellation = *piece.tessellation;
+  return sweep::plane(std::get<PlaneShape>(piece.shape).size, options);
+}
+
+// Runs `make` and gives what it finds wrong with the geometry the piece's place in the file.
+template <class Make>
+auto at_place(const Place& place, Make&& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    if (!error.place().file.empty()) throw;
+    throw InputError(place, error.problem());
+  }
+}
+
+// Made where it will stay: OpenMesh has no move, so every other way would copy it.
+std::unique_ptr<const sweep::Mesh> make_object(const ObjectEntry& object, bool has_half_edges) {
+  const Piece& first = object.pieces.front();
+  if (object.pieces.size() == 1 && to_matrix(first.placement) == glm::dmat4(1.0)) {
+    return at_place(first.place, [&] {
+      return std::unique_ptr<const sweep::Mesh>(new sweep::Mesh(make_mesh(first, has_half_edges)));
+    });
+  }
+  auto whole = std::make_unique<sweep::Mesh>();
+  for (const Piece& piece : object.pieces) {
+    at_place(piece.place, [&] {
+      sweep::append(*whole, make_mesh(piece, has_half_edges), to_matrix(piece.placement));
+      return true;
+    });
+  }
+  return whole;
+}
+
+texmap::Texture load_texture(const TextureEntry& entry) {
+  if (const auto* procedural = std::get_if<texmap::Procedural>(&entry.source)) return *procedural;
+  const auto& source = std::get<ImageEntry>(entry.source);
+  try {
+    return texmap::ImageTexture{
+        std::make_shared<const texmap::Image>(texmap::read_image(source.file, source.color_space)),
+        source.wrap};
+  } catch (const InputError& error) {
+    throw InputError(entry.place, source.file.string() + ": " + error.problem());
+  }
+}
+
+std::size_t texture_bytes(const texmap::Texture& texture) {
+  const auto* image = std::get_if<texmap::ImageTexture>(&texture);
+  return image != nullptr && image->image ? image->image->bytes() : 0;
+}
+
+struct Bounds {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+};
+
+Bounds bounds_of(const Scene& scene) {
+  Bounds bounds;
+  for (const Object& object : scene.objects) {
+    const MeshView& mesh = scene.meshes[object.mesh];
+    for (const glm::vec3& position : mesh.positions) {
+      const glm::dvec3 world(object.world_from_object * glm::dvec4(glm::dvec3(position) + mesh.origin, 1));
+      bounds.low = glm::min(bounds.low, world);
+      bounds.high = glm::max(bounds.high, world);
+    }
+  }
+  return bounds;
+}
+
+// A three-quarter view from above that holds the sphere about everything.
+Camera framing_camera(const Scene& scene) {
+  Camera camera;
+  const Bounds bounds = bounds_of(scene);
+  const double radius =
+      std::max(0.5 * glm::length(bounds.high - bounds.low), std::numeric_limits<double>::min());
+  camera.target = 0.5 * (bounds.low + bounds.high);
+  const double half_height = std::tan(0.5 * camera.fov_deg * std::numbers::pi / 180);
+  const double half_width = half_height * scene.width / scene.height;
+  const double distance = radius / std::sin(std::atan(std::min(half_height, half_width)));
+  camera.eye = camera.target + distance * glm::normalize(glm::dvec3(0.55, 0.5, 1.0));
+  return camera;
+}
+
+}  // namespace
+
+Model build(const Document& document, const Plan& plan) {
+  Model model;
+  const bool has_half_edges = plan.needs_part(Part::kHalfEdges);
+  Scene& scene = model.scene;
+  scene.width = document.width;
+  scene.height = document.height;
+  scene.background = document.background;
+  scene.ambient = document.ambient;
+  scene.depth = document.depth;
+  scene.materials = document.materials;
+  scene.lights = document.lights;
+
+  for (const ObjectEntry& entry : document.objects) {
+    model.meshes.push_back(make_object(entry, has_half_edges));
+    const sweep::Mesh& mesh = *model.meshes.back();
+    scene.objects.push_back({entry.name, scene.meshes.size(), entry.material, to_matrix(entry.placement)});
+    scene.meshes.push_back({mesh.positions(), mesh.normals(), mesh.texcoords(), mesh.triangles, mesh.patches,
+                            mesh.areas, mesh.origin});
+    if (has_half_edges) {
+      model.ledger[Part::kHalfEdges].bytes += mesh.half_edge_bytes();
+      model.ledger[Part::kHalfEdges].calls += 1;
+    }
+  }
+  for (std::size_t i = 0; i < document.textures.size(); ++i) {
+    scene.textures.emplace_back();
+    scene.texture_names.push_back(document.textures[i].name);
+    if (!plan.textures[i]) continue;
+    scene.textures.back() = load_texture(document.textures[i]);
+    model.ledger[Part::kTextures].bytes += texture_bytes(scene.textures.back());
+    model.ledger[Part::kTextures].calls += 1;
+  }
+  scene.camera = document.camera ? *document.camera : framing_camera(scene);
+  if (scene.lights.empty() && !document.has_ambient) {
+    // From over the viewer's left shoulder.
+    const glm::dvec3 forward = glm::normalize(scene.camera.target - scene.camera.eye);
+    scene.lights.push_back(
+        DirectionalLight{glm::normalize(forward + glm::dvec3(0.5, -0.7, 0.0)), glm::vec3(1.0f)});
+  }
+  return model;
+}
+
+}  // namespace sweepkit::scene

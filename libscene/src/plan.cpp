@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// One place decides what a piece of work needs. Each part is a row: the condition, and why in a few words.
+
+#include "sweepkit/scene/plan.hpp"
+
+#include <algorithm>
+
+namespace sweepkit::scene {
+namespace {
+
+// What the document's objects really use.
+struct Usage {
+  std::vector<bool> textures;
+  bool has_texture = false;
+  bool has_image = false;
+  bool has_procedural = false;
+  bool reads_uv = false;
+  bool reflects = false;
+};
+
+Usage usage_of(const Document& document) {
+  Usage usage;
+  usage.textures.assign(document.textures.size(), false);
+  for (const ObjectEntry& object : document.objects) {
+    if (!object.material) continue;
+    const Material& material = document.materials[*object.material];
+    usage.reflects |= material.reflect > 0;
+    if (!material.texture) continue;
+    usage.textures[*material.texture] = true;
+    usage.has_texture = true;
+    if (const auto* procedural =
+            std::get_if<texmap::Procedural>(&document.textures[*material.texture].source)) {
+      usage.has_procedural = true;
+      usage.reads_uv |= procedural->on == texmap::ProceduralOn::kUv;
+    } else {
+      usage.has_image = true;
+      usage.reads_uv = true;
+    }
+  }
+  return usage;
+}
+
+}  // namespace
+
+std::string_view part_name(Part part) {
+  static constexpr std::array<std::string_view, kPartCount> kNames = {
+      "half-edges",    "textures",       "baked textures",   "summed-area tables",
+      "(u,v) at hits", "filtered nodes", "row buffers",      "intersection trees",
+      "shadow rays",   "supersampling",  "grid over objects"};
+  return kNames[static_cast<std::size_t>(part)];
+}
+
+Plan plan(const Document& document, const Request& request) {
+  const Usage usage = usage_of(document);
+  const bool is_picture = request.product == Request::Product::kPicture;
+  const bool is_filtered = is_picture && request.is_filtered && usage.has_image;
+  const bool has_light = !document.lights.empty() || !document.has_ambient;
+
+  Plan plan;
+  const auto row = [&](Part part, bool is_needed, std::string why) {
+    plan.needs[static_cast<std::size_t>(part)] = {is_needed, std::move(why)};
+  };
+  const auto picture_row = [&](Part part, bool is_needed, std::string why) {
+    row(part, is_picture && is_needed, is_picture ? std::move(why) : "no picture is drawn");
+  };
+
+  row(Part::kHalfEdges, request.has_half_edges,
+      request.has_half_edges ? "someone walks them" : "nobody walks them");
+  row(Part::kTextures, usage.has_texture,
+      usage.has_texture ? "materials in use have textures" : "no material in use has a texture");
+  if (request.product == Request::Product::kMeshFile) {
+    row(Part::kBakes, usage.has_procedural,
+        usage.has_procedural ? "the file cannot hold a procedural texture" : "no procedural texture is used");
+  } else {
+    const bool is_bake = request.product == Request::Product::kTexture;
+    row(Part::kBakes, is_bake,
+        is_bake ? "it is what was asked for" : "a picture evaluates procedural textures where it hits them");
+  }
+  const char* no_filter = !request.is_filtered ? "the filter is point" : "no image texture is used";
+  picture_row(Part::kTables, is_filtered, is_filtered ? "the filter looks textures up in them" : no_filter);
+  picture_row(Part::kTexcoords, usage.reads_uv,
+              usage.reads_uv ? "textures are looked up by (u,v)" : "no texture reads (u,v)");
+  picture_row(Part::kFilteredNodes, is_filtered,
+              is_filtered ? "textured hits are filtered over their neighbours" : no_filter);
+  picture_row(Part::kRows, is_filtered,
+              is_filtered ? "the filter looks at the rows above and below"
+                          : "one row is enough where nothing is filtered");
+  const bool has_trees = usage.reflects && document.depth > 0;
+  picture_row(Part::kTrees, has_trees,
+              has_trees        ? "materials in use reflect"
+              : usage.reflects ? "the depth is 0"
+                               : "no material in use reflects");
+  picture_row(Part::kShadows, has_light, has_light ? "there is a light" : "there is no light, only ambient");
+  picture_row(Part::kSupersampling, request.is_supersampled,
+              request.is_supersampled ? "it was asked for" : "it was not asked for");
+  const bool has_several = document.objects.size() > 1;
+  picture_row(Part::kGlobalGrid, has_several,
+              has_several ? "there are several objects" : "there is one object");
+
+  plan.textures = usage.textures;
+  plan.tables.assign(document.textures.size(), false);
+  for (std::size_t i = 0; i < document.textures.size(); ++i) {
+    plan.tables[i] =
+        is_filtered && usage.textures[i] && std::holds_alternative<ImageEntry>(document.textures[i].source);
+  }
+  return plan;
+}
+
+void Ledger::add(const Ledger& other) {
+  for (std::size_t i = 0; i < kPartCount; ++i) {
+    costs[i].bytes += other.costs[i].bytes;
+    costs[i].calls += other.costs[i].calls;
+  }
+}
+
+}  // namespace sweepkit::scene

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "read_look.hpp"
+
+#include <algorithm>
+
+namespace sweepkit::scene {
+namespace {
+
+constexpr Range kPositive{.low = 0, .high = 1e9, .excludes_low = true};
+
+texmap::Procedural read_procedural(const Node& kind, ObjectReader& reader) {
+  texmap::Procedural procedural;
+  procedural.kind = static_cast<texmap::ProceduralKind>(kind.choice({"checker", "tiles", "bands", "marble"}));
+  if (procedural.kind == texmap::ProceduralKind::kMarble) procedural.on = texmap::ProceduralOn::kPosition;
+  if (const auto node = reader.find("on"))
+    procedural.on = static_cast<texmap::ProceduralOn>(node->choice({"uv", "position"}));
+  if (const auto node = reader.find("scale")) procedural.scale = node->number(kPositive);
+  if (const auto node = reader.find("colors")) {
+    for (const Node& color : node->items()) procedural.colors.push_back(color.color(1));
+    if (procedural.colors.size() < 2)
+      node->fail("needs at least 2 colours, got " + std::to_string(procedural.colors.size()));
+  }
+  switch (procedural.kind) {
+    case texmap::ProceduralKind::kChecker:
+      break;
+    case texmap::ProceduralKind::kTiles:
+      if (const auto node = reader.find("grout")) procedural.grout = node->number({.low = 0, .high = 1});
+      break;
+    case texmap::ProceduralKind::kBands:
+      if (const auto node = reader.find("widths")) {
+        for (const Node& width : node->items()) procedural.widths.push_back(width.number(kPositive));
+        if (procedural.widths.size() != procedural.colors.size()) {
+          node->fail("needs one width a colour: " + std::to_string(procedural.colors.size()) + ", got " +
+                     std::to_string(procedural.widths.size()));
+        }
+      }
+      break;
+    case texmap::ProceduralKind::kMarble:
+      if (const auto node = reader.find("turbulence"))
+        procedural.turbulence = node->number({.low = 0, .high = 1000});
+      if (const auto node = reader.find("octaves")) procedural.octaves = node->integer(1, 16);
+      break;
+  }
+  return procedural;
+}
+
+TextureEntry read_texture(const std::string& name, const Node& node, const std::filesystem::path& folder) {
+  ObjectReader reader = read_object(node);
+  TextureEntry entry{name, ImageEntry{}, node.place()};
+  const std::optional<Node> image = reader.find("image");
+  const std::optional<Node> procedural = reader.find("procedural");
+  if (image && procedural) procedural->fail("a texture is an \"image\" or a \"procedural\", not both");
+  if (!image && !procedural) node.fail("needs \"image\" or \"procedural\"");
+  if (image) {
+    ImageEntry source{folder / image->text()};
+    entry.place = image->place();
+    if (const auto wrap = reader.find("wrap"))
+      source.wrap = static_cast<texmap::Wrap>(wrap->choice({"repeat", "clamp"}));
+    if (const auto space = reader.find("color_space")) {
+      source.color_space = static_cast<texmap::ColorSpace>(space->choice({"srgb", "linear"}));
+    }
+    entry.source = source;
+  } else {
+    entry.source = read_procedural(*procedural, reader);
+  }
+  reader.finish();
+  return entry;
+}
+
+}  // namespace
+
+std::vector<TextureEntry> read_textures(const Node& node, const std::filesystem::path& folder) {
+  std::vector<TextureEntry> textures;
+  ObjectReader reader = read_object(node);
+  for (const auto& [name, value] : std::get<JsonValue::Object>(node.value().data)) {
+    textures.push_back(read_texture(name, reader.get(name), folder));
+  }
+  return textures;
+}
+
+Material read_material(const Node& node, const std::vector<TextureEntry>& textures) {
+  ObjectReader reader = read_object(node);
+  Material material;
+  if (const auto diffuse = reader.find("diffuse")) material.diffuse = diffuse->color(1);
+  if (const auto texture = reader.find("texture")) {
+    const auto found = std::find_if(textures.begin(), textures.end(),
+                                    [&](const TextureEntry& entry) { return entry.name == texture->text(); });
+    if (found == textures.end()) {
+      std::vector<std::string> names;
+      for (const TextureEntry& entry : textures) names.push_back(entry.name);
+      texture->fail("there is no texture \"" + texture->text() + "\"" + suggestion(texture->text(), names));
+    }
+    material.texture = static_cast<std::size_t>(found - textures.begin());
+  }
+  if (const auto specular = reader.find("specular")) material.specular = specular->color(1);
+  if (const auto shininess = reader.find("shininess")) {
+    material.shininess = static_cast<float>(shininess->number({.low = 0, .high = 1e6, .excludes_low = true}));
+  }
+  if (const auto reflect = reader.find("reflect"))
+    material.reflect = static_cast<float>(reflect->number({.low = 0, .high = 1}));
+  reader.finish();
+  return material;
+}
+
+Light read_light(const Node& node) {
+  ObjectReader reader = read_object(node);
+  const std::optional<Node> point = reader.find("point");
+  const std::optional<Node> directional = reader.find("directional");
+  glm::vec3 intensity(1.0f);
+  if (const auto value = reader.find("intensity")) intensity = value->color();
+  reader.finish();
+  if (point && directional) directional->fail("a light is \"point\" or \"directional\", not both");
+  if (point) return PointLight{point->vector<3>(), intensity};
+  if (!directional) node.fail("needs \"point\" or \"directional\"");
+  const glm::dvec3 direction = directional->vector<3>();
+  if (direction == glm::dvec3(0.0)) directional->fail("needs a direction that is not zero");
+  return DirectionalLight{direction, intensity};
+}
+
+}  // namespace sweepkit::scene

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "read_objects.hpp"
+
+#include <algorithm>
+
+#include "read_curve.hpp"
+
+namespace sweepkit::scene {
+namespace {
+
+Placement read_placement(ObjectReader& reader) {
+  Placement placement;
+  if (const auto node = reader.find("translate")) placement.translate = node->vector<3>();
+  if (const auto node = reader.find("rotate_deg")) placement.rotate_deg = node->vector<3>();
+  if (const auto node = reader.find("scale")) {
+    placement.scale = node->is_number() ? glm::dvec3(node->number()) : node->vector<3>();
+    if (placement.scale.x == 0 || placement.scale.y == 0 || placement.scale.z == 0) {
+      node->fail("needs factors other than 0, which would flatten the object");
+    }
+  }
+  return placement;
+}
+
+// What an object says for all its parts and each part may say again.
+struct Manner {
+  std::optional<sweep::Tessellation> tessellation;
+  sweep::UvOptions uv;
+  double crease_deg = 30;
+};
+
+void read_manner(ObjectReader& reader, Manner& manner) {
+  if (const auto node = reader.find("tessellation")) {
+    ObjectReader cells = read_object(*node);
+    sweep::Tessellation tessellation = manner.tessellation.value_or(sweep::Tessellation{});
+    if (const auto contour = cells.find("contour"))
+      tessellation.contour = contour->integer(1, sweep::kMaxCells, " cells");
+    if (const auto along = cells.find("trajectory"))
+      tessellation.trajectory = along->integer(1, sweep::kMaxCells, " cells");
+    cells.finish();
+    manner.tessellation = tessellation;
+  }
+  if (const auto node = reader.find("uv")) {
+    ObjectReader uv = read_object(*node);
+    if (const auto by = uv.find("by")) {
+      manner.uv.by =
+          by->choice({"arc-length", "parameter"}) == 0 ? sweep::UvBy::kArcLength : sweep::UvBy::kParameter;
+    }
+    if (const auto repeat = uv.find("repeat"))
+      manner.uv.repeat = repeat->vector<2>({.low = 1e-6, .high = 1e6});
+    uv.finish();
+  }
+  if (const auto node = reader.find("crease_deg")) {
+    manner.crease_deg = node->number({.low = 0, .high = 180, .unit = " degrees"});
+  }
+}
+
+sweep::Caps read_caps(ObjectReader& reader) {
+  const auto node = reader.find("caps");
+  return node && node->choice({"flat", "none"}) == 1 ? sweep::Caps::kNone : sweep::Caps::kFlat;
+}
+
+SweepShape read_sweep(const Node& node) {
+  ObjectReader reader = read_object(node);
+  const Node contour = reader.get("contour");
+  const Node trajectory = reader.get("trajectory");
+  const sweep::Caps caps = read_caps(reader);
+  reader.finish();
+  return {read_contour(contour), read_trajectory(trajectory), caps};
+}
+
+RevolveShape read_revolve(const Node& node) {
+  ObjectReader reader = read_object(node);
+  const Node contour = reader.get("contour");
+  double angle = 360;
+  if (const auto angle_node = reader.find("angle_deg")) {
+    angle = angle_node->number({.low = 0, .high = 360, .unit = " degrees", .excludes_low = true});
+  }
+  const sweep::Caps caps = read_caps(reader);
+  reader.finish();
+  return {read_contour(contour), angle, caps};
+}
+
+PlaneShape read_plane(const Node& node) {
+  ObjectReader reader = read_object(node);
+  PlaneShape plane;
+  const Node size = reader.get("size");
+  plane.size = size.vector<2>({.low = 0, .unit = " m"});
+  if (!(plane.size.x > 0 && plane.size.y > 0)) size.fail("needs to be above 0 m both ways");
+  reader.finish();
+  return plane;
+}
+
+// The shape keys; an object may have "parts" instead of one of them.
+std::optional<Piece> read_shape(ObjectReader& reader) {
+  std::optional<Piece> piece;
+  for (const char* kind : {"sweep", "revolve", "plane"}) {
+    const std::optional<Node> node = reader.find(kind);
+    if (!node) continue;
+    if (piece) node->fail("an object has one shape; put several under \"parts\"");
+    const std::string name = kind;
+    if (name == "sweep") {
+      piece = Piece{read_sweep(*node), {}, {}, {}, 30, node->place()};
+    } else if (name == "revolve") {
+      piece = Piece{read_revolve(*node), {}, {}, {}, 30, node->place()};
+    } else {
+      piece = Piece{read_plane(*node), {}, {}, {}, 30, node->place()};
+    }
+  }
+  return piece;
+}
+
+void set_manner(Piece& piece, const Manner& manner) {
+  piece.tessellation = manner.tessellation;
+  piece.uv = manner.uv;
+  piece.crease_deg = manner.crease_deg;
+}
+
+Piece read_part(const Node& node, Manner manner) {
+  ObjectReader reader = read_object(node);
+  const Placement placement = read_placement(reader);
+  read_manner(reader, manner);
+  std::optional<Piece> piece = read_shape(reader);
+  reader.finish();
+  if (!piece) node.fail("needs one of \"sweep\", \"revolve\" or \"plane\"");
+  set_manner(*piece, manner);
+  piece->placement = placement;
+  return *piece;
+}
+
+ObjectEntry read_one(const Node& node, const std::vector<Material>& materials) {
+  ObjectReader reader = read_object(node);
+  ObjectEntry object;
+  object.place = node.place();
+  const Node name = reader.get("name");
+  object.name = name.text();
+  if (object.name.empty()) name.fail("needs a name that is not empty");
+  if (const auto material = reader.find("material")) {
+    const auto found = std::find_if(materials.begin(), materials.end(),
+                                    [&](const Material& entry) { return entry.name == material->text(); });
+    if (found == materials.end()) {
+      std::vector<std::string> names;
+      for (const Material& entry : materials) names.push_back(entry.name);
+      material->fail("there is no material \"" + material->text() + "\"" +
+                     suggestion(material->text(), names));
+    }
+    object.material = static_cast<std::size_t>(found - materials.begin());
+  }
+  object.placement = read_placement(reader);
+  Manner manner;
+  read_manner(reader, manner);
+  std::optional<Piece> piece = read_shape(reader);
+  const std::optional<Node> parts = reader.find("parts");
+  reader.finish();
+  if (piece && parts) parts->fail("an object has one shape or \"parts\", not both");
+  if (!piece && !parts) node.fail("needs one of \"sweep\", \"revolve\", \"plane\" or \"parts\"");
+  if (piece) {
+    set_manner(*piece, manner);
+    object.pieces.push_back(std::move(*piece));
+    return object;
+  }
+  for (const Node& part : parts->items()) object.pieces.push_back(read_part(part, manner));
+  if (object.pieces.empty()) parts->fail("needs at least one part");
+  return object;
+}
+
+}  // namespace
+
+std::vector<ObjectEntry> read_objects(const Node& node, const std::vector<Material>& materials) {
+  std::vector<ObjectEntry> objects;
+  for (const Node& item : node.items()) {
+    objects.push_back(read_one(item, materials));
+    const auto same = std::find_if(objects.begin(), objects.end() - 1, [&](const ObjectEntry& other) {
+      return other.name == objects.back().name;
+    });
+    if (same != objects.end() - 1)
+      item.fail("the name \"" + same->name + "\" is taken by an object before; choose another");
+  }
+  if (objects.empty()) node.fail("needs at least one object");
+  return objects;
+}
+
+}  // namespace sweepkit::scene
