@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "band.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <optional>
+
+namespace sweepkit::render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+}  // namespace
+
+void BandCounts::add(const BandCounts& other) {
+  rays.eye += other.rays.eye;
+  rays.reflected += other.rays.reflected;
+  rays.texcoords += other.rays.texcoords;
+  shading.shadow_rays += other.shading.shadow_rays;
+  shading.nodes += other.shading.nodes;
+  shading.textured += other.shading.textured;
+  shading.filtered += other.shading.filtered;
+  shade_seconds += other.shade_seconds;
+  row_bytes = std::max(row_bytes, other.row_bytes);
+  link_bytes = std::max(link_bytes, other.link_bytes);
+  texcoord_bytes = std::max(texcoord_bytes, other.texcoord_bytes);
+  shrink_bytes = std::max(shrink_bytes, other.shrink_bytes);
+}
+
+BandPainter::BandPainter(const scene::Scene& scene, const scene::Plan& plan, const TreeBuilder& builder,
+                         const Shader& shader, int supersampling)
+    : builder_(builder),
+      shader_(shader),
+      eye_rays_(scene.camera, scene.width * supersampling, scene.height * supersampling),
+      width_(scene.width * supersampling),
+      supersampling_(supersampling),
+      has_neighbour_rows_(plan.needs_part(scene::Part::kRows)) {}
+
+BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
+                              const std::atomic<bool>* is_cancelled) const {
+  BandCounts counts;
+  std::array<TreeRow, 3> rows;
+  const auto trace = [&](TreeRow& row, int y) {
+    builder_.build(row, eye_rays_, y, width_, has_neighbour_rows_, counts.rays);
+  };
+  const int large_first = first * supersampling_;
+  const int large_end = end * supersampling_;
+  if (has_neighbour_rows_) {
+    trace(rows[1], large_first - 1);
+    trace(rows[2], large_first);
+  }
+  std::vector<glm::dvec3> colors(static_cast<std::size_t>(width_));
+  std::optional<Shrinker> shrinker;
+  if (supersampling_ > 1) shrinker.emplace(supersampling_, image.width);
+  auto& texels = std::get<std::vector<float>>(image.texels);
+
+  for (int y = large_first; y < large_end; ++y) {
+    if (is_cancelled != nullptr && *is_cancelled) return counts;
+    RowWindow window = {&rows[0], &rows[0], &rows[0]};
+    if (has_neighbour_rows_) {
+      // Row 2 takes the place of row 1, row 3 that of row 2, and row 3 is traced anew.
+      std::rotate(rows.begin(), rows.begin() + 1, rows.end());
+      trace(rows[2], y + 1);
+      window = {&rows[0], &rows[1], &rows[2]};
+    } else {
+      trace(rows[0], y);
+    }
+    const Clock::time_point start = Clock::now();
+    for (int x = 0; x < width_; ++x)
+      colors[static_cast<std::size_t>(x)] = shader_.pixel(window, x, counts.shading);
+    counts.shade_seconds += std::chrono::duration<double>(Clock::now() - start).count();
+
+    const int k = y % supersampling_;
+    float* out = texels.data() +
+                 3 * static_cast<std::size_t>(y / supersampling_) * static_cast<std::size_t>(image.width);
+    if (!shrinker) {
+      for (const glm::dvec3& color : colors) {
+        for (glm::length_t c = 0; c < 3; ++c) *out++ = static_cast<float>(color[c]);
+      }
+    } else {
+      shrinker->add(k, colors);
+      if (k == supersampling_ - 1) shrinker->take(out);
+    }
+  }
+  if (has_neighbour_rows_) counts.row_bytes = rows[0].bytes() + rows[2].bytes();
+  for (const TreeRow& row : rows) {
+    counts.link_bytes += row.links.capacity() * sizeof(TreeLinks);
+    counts.texcoord_bytes += row.texcoords.capacity() * sizeof(glm::dvec2);
+  }
+  if (shrinker) counts.shrink_bytes = shrinker->bytes();
+  return counts;
+}
+
+}  // namespace sweepkit::render

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "intersection_tree.hpp"
+#include "shading.hpp"
+#include "supersampling.hpp"
+#include "sweepkit/scene/plan.hpp"
+#include "sweepkit/texmap/image.hpp"
+
+namespace sweepkit::render {
+
+/// What a band of rows cost.
+struct BandCounts {
+  RayCounts rays;
+  ShadingCounts shading;
+  double shade_seconds = 0;
+  std::size_t row_bytes = 0;  ///< the two neighbouring rows
+  std::size_t link_bytes = 0;
+  std::size_t texcoord_bytes = 0;
+  std::size_t shrink_bytes = 0;
+
+  void add(const BandCounts& other);
+};
+
+/// Draws bands of rows: the unit of parallel work. Within a band the three row buffers shift by one row at a
+/// time (the paper's 3.2.3); the rows just outside it are traced again by the band next to it, so bands need
+/// nothing of each other and the picture does not depend on how it is cut.
+class BandPainter {
+ public:
+  BandPainter(const scene::Scene& scene, const scene::Plan& plan, const TreeBuilder& builder,
+              const Shader& shader, int supersampling);
+
+  /// Rows first..end-1 of `image`. Stops early when `is_cancelled` is set.
+  BandCounts paint(texmap::Image& image, int first, int end, const std::atomic<bool>* is_cancelled) const;
+
+ private:
+  const TreeBuilder& builder_;
+  const Shader& shader_;
+  EyeRays eye_rays_;
+  int width_;  // of the larger picture
+  int supersampling_;
+  bool has_neighbour_rows_;
+};
+
+}  // namespace sweepkit::render

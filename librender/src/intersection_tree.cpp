@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "intersection_tree.hpp"
+
+#include <algorithm>
+
+#include "material_of.hpp"
+#include "surface_point.hpp"
+#include "sweepkit/texmap/area_ratio_mapping.hpp"
+#include "sweepkit/texmap/right_triangle.hpp"
+
+namespace sweepkit::render {
+namespace {
+
+// The reflected ray. The interpolated normal can bend it into the surface at a grazing angle; there the
+// face's own is taken.
+Ray reflected(const SurfacePoint& point, const glm::dvec3& direction) {
+  const auto mirrored = [&](const glm::dvec3& normal) {
+    return direction - 2 * glm::dot(direction, normal) * normal;
+  };
+  glm::dvec3 out = mirrored(point.shading_normal);
+  if (!(glm::dot(out, point.face_normal) > 0)) out = mirrored(point.face_normal);
+  return {leave_surface(point, out), glm::normalize(out)};
+}
+
+}  // namespace
+
+std::size_t TreeRow::bytes() const {
+  return roots.capacity() * sizeof(roots[0]) + nodes.capacity() * sizeof(nodes[0]) +
+         texcoords.capacity() * sizeof(texcoords[0]) + links.capacity() * sizeof(links[0]);
+}
+
+TreeBuilder::TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer)
+    : scene_(scene),
+      tracer_(tracer),
+      needs_texcoords_(plan.needs_part(scene::Part::kTexcoords)),
+      needs_trees_(plan.needs_part(scene::Part::kTrees)) {}
+
+std::uint32_t TreeBuilder::area_of(const Hit& hit) const {
+  const std::span<const sweep::Area> areas = tracer_.object(hit.object).mesh->areas;
+  const auto after = std::upper_bound(
+      areas.begin(), areas.end(), hit.triangle,
+      [](std::uint32_t triangle, const sweep::Area& area) { return triangle < area.first_triangle; });
+  return after == areas.begin() ? 0 : static_cast<std::uint32_t>(after - areas.begin()) - 1;
+}
+
+glm::dvec2 TreeBuilder::texcoord_of(const Hit& hit) const {
+  const scene::MeshView& mesh = *tracer_.object(hit.object).mesh;
+  const auto& triangle = mesh.triangles[hit.triangle];
+  const glm::dvec2 a(mesh.texcoords[triangle[0]]);
+  const glm::dvec2 b(mesh.texcoords[triangle[1]]);
+  const glm::dvec2 c(mesh.texcoords[triangle[2]]);
+  // The paper's case, a right triangle of the texture: two products. Caps have other triangles.
+  if (a.x == b.x && c.y == b.y) return texmap::barycentric_map(texmap::right_triangle(a, b, c), hit.a, hit.c);
+  return b + hit.a * (a - b) + hit.c * (c - b);
+}
+
+std::int32_t TreeBuilder::add_node(TreeRow& row, const Hit& hit, const Ray& ray, RayCounts& counts) const {
+  row.nodes.push_back({hit, ray.direction, area_of(hit)});
+  if (needs_trees_) row.links.emplace_back();
+  if (needs_texcoords_) {
+    const bool is_textured = material_of(scene_, hit.object).texture.has_value();
+    row.texcoords.push_back(is_textured ? texcoord_of(hit) : glm::dvec2(0.0));
+    counts.texcoords += is_textured ? 1 : 0;
+  }
+  return static_cast<std::int32_t>(row.nodes.size()) - 1;
+}
+
+void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, int y, int width, bool has_border,
+                        RayCounts& counts) const {
+  row.first_pixel = has_border ? -1 : 0;
+  row.roots.clear();
+  row.nodes.clear();
+  row.texcoords.clear();
+  row.links.clear();
+  const int end = has_border ? width + 1 : width;
+  for (int x = row.first_pixel; x < end; ++x) {
+    Ray ray = eye_rays.through(x, y);
+    Hit hit = tracer_.nearest(ray);
+    ++counts.eye;
+    std::int32_t node = hit.is_hit() ? add_node(row, hit, ray, counts) : kEscaped;
+    row.roots.push_back(node);
+    for (int level = 0; needs_trees_ && node >= 0 && level < scene_.depth; ++level) {
+      if (!(material_of(scene_, hit.object).reflect > 0)) break;
+      ray = reflected(surface_point(tracer_, hit, ray.direction), ray.direction);
+      hit = tracer_.nearest(ray);
+      ++counts.reflected;
+      const std::int32_t child = hit.is_hit() ? add_node(row, hit, ray, counts) : kEscaped;
+      row.links[static_cast<std::size_t>(node)].reflection = child;
+      node = child;
+    }
+  }
+}
+
+}  // namespace sweepkit::render

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// Based on [Akdemir98, 3.2.2, Fig. 4]. A textured node is filtered over the box of its eight neighbours'
+// (u,v) if all of them are on the same reflection and refraction path and hit the same area of the same
+// object; else it takes the texel at its hit. The trees of the nine pixels are descended together, so that
+// nodes met together are on the same path.
+//
+// colour = ambient d + sum over lights of V I (d N.L + specular (N.H)^shininess) + reflect R, d = diffuse
+// times texture.
+
+#include "shading.hpp"
+
+#include <cmath>
+
+#include "material_of.hpp"
+#include "surface_point.hpp"
+#include "sweepkit/texmap/footprint.hpp"
+#include "sweepkit/texmap/texture.hpp"
+
+namespace sweepkit::render {
+namespace {
+
+struct LightSample {
+  glm::dvec3 direction;  ///< towards the light, unit
+  double distance;       ///< in lengths of it
+  glm::dvec3 intensity;
+};
+
+LightSample sample(const scene::Light& light, const glm::dvec3& from) {
+  if (const auto* point = std::get_if<scene::PointLight>(&light)) {
+    const glm::dvec3 to = point->position - from;
+    const double distance = glm::length(to);
+    return {distance > 0 ? to / distance : glm::dvec3(0.0), distance, glm::dvec3(point->intensity)};
+  }
+  const auto& directional = std::get<scene::DirectionalLight>(light);
+  return {-glm::normalize(directional.direction), kNoEnd, glm::dvec3(directional.intensity)};
+}
+
+}  // namespace
+
+glm::dvec3 Shader::pixel(const RowWindow& rows, int x, ShadingCounts& counts) const {
+  const std::int32_t root = rows[1]->root(x);
+  if (root < 0) return glm::dvec3(scene_.background);
+  Neighbourhood nodes;
+  nodes[1][1] = root;
+  if (filters_) {
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) nodes[r][c] = rows[r]->root(x + static_cast<int>(c) - 1);
+    }
+  }
+  return node(rows, nodes, counts);
+}
+
+glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, ShadingCounts& counts) const {
+  const std::int32_t index = nodes[1][1];
+  const TreeNode& at = rows[1]->nodes[static_cast<std::size_t>(index)];
+  const scene::Material& material = material_of(scene_, at.hit.object);
+
+  // The deeper node first. At the deepest level nothing comes; from outside, the background.
+  glm::dvec3 reflection(0.0);
+  const std::int32_t child = rows[1]->reflection(index);
+  if (child == kEscaped) {
+    reflection = glm::dvec3(scene_.background);
+  } else if (child >= 0) {
+    Neighbourhood children;
+    children[1][1] = child;
+    for (std::size_t r = 0; filters_ && r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c)
+        children[r][c] = nodes[r][c] >= 0 ? rows[r]->reflection(nodes[r][c]) : kNotTraced;
+    }
+    reflection = node(rows, children, counts);
+  }
+  ++counts.nodes;
+  const glm::dvec3 color = diffuse(rows, nodes, material, counts);
+  return local_light(at, material, color, counts) + static_cast<double>(material.reflect) * reflection;
+}
+
+std::optional<texmap::UvBox> Shader::footprint(const RowWindow& rows, const Neighbourhood& nodes) const {
+  const auto own = static_cast<std::size_t>(nodes[1][1]);
+  const TreeNode& at = rows[1]->nodes[own];
+  std::array<glm::dvec2, 8> neighbours;
+  std::size_t count = 0;
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (r == 1 && c == 1) continue;
+      if (nodes[r][c] < 0) return std::nullopt;
+      const auto other = static_cast<std::size_t>(nodes[r][c]);
+      const TreeNode& neighbour = rows[r]->nodes[other];
+      if (neighbour.hit.object != at.hit.object || neighbour.area != at.area) return std::nullopt;
+      neighbours[count++] = rows[r]->texcoords[other];
+    }
+  }
+  const sweep::Area& area = tracer_.object(at.hit.object).mesh->areas[at.area];
+  return texmap::neighbour_box(rows[1]->texcoords[own], neighbours, {area.u_period, area.v_period});
+}
+
+glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const scene::Material& material,
+                           ShadingCounts& counts) const {
+  const glm::dvec3 base(material.diffuse);
+  if (!material.texture) return base;
+  ++counts.textured;
+  const std::optional<texmap::SummedAreaTable>& table = tables_[*material.texture];
+  if (filters_ && table) {
+    if (const std::optional<texmap::UvBox> box = footprint(rows, nodes)) {
+      ++counts.filtered;
+      return base * glm::dvec3(table->mean(*box));
+    }
+  }
+  const auto own = static_cast<std::size_t>(nodes[1][1]);
+  const TreeNode& at = rows[1]->nodes[own];
+  const glm::dvec2 uv = rows[1]->texcoords.empty() ? glm::dvec2(0.0) : rows[1]->texcoords[own];
+  const scene::MeshView& mesh = *tracer_.object(at.hit.object).mesh;
+  const auto& [a, b, c] = mesh.triangles[at.hit.triangle];
+  const glm::dvec3 position = mesh.origin + at.hit.a * glm::dvec3(mesh.positions[a]) +
+                              at.hit.b * glm::dvec3(mesh.positions[b]) +
+                              at.hit.c * glm::dvec3(mesh.positions[c]);
+  return base * glm::dvec3(texmap::point_sample(scene_.textures[*material.texture], uv, position));
+}
+
+glm::dvec3 Shader::local_light(const TreeNode& at, const scene::Material& material, const glm::dvec3& diffuse,
+                               ShadingCounts& counts) const {
+  glm::dvec3 color = glm::dvec3(scene_.ambient) * diffuse;
+  if (scene_.lights.empty()) return color;
+  const SurfacePoint point = surface_point(tracer_, at.hit, at.direction);
+  const glm::dvec3 start = smooth_start(tracer_, at.hit, point);
+  const glm::dvec3 specular(material.specular);
+  for (const scene::Light& light : scene_.lights) {
+    const LightSample to_light = sample(light, start);
+    const double cosine = glm::dot(point.shading_normal, to_light.direction);
+    if (!(cosine > 0)) continue;
+    ++counts.shadow_rays;
+    const glm::dvec3 origin = start + point.error * point.face_normal;
+    if (tracer_.is_blocked({origin, to_light.direction}, to_light.distance)) continue;
+    glm::dvec3 share = diffuse * cosine;
+    if (specular != glm::dvec3(0.0)) {
+      const glm::dvec3 half = to_light.direction - at.direction;
+      const double length = glm::length(half);
+      const double highlight = length > 0 ? glm::dot(point.shading_normal, half) / length : 0;
+      if (highlight > 0) share += specular * std::pow(highlight, static_cast<double>(material.shininess));
+    }
+    color += to_light.intensity * share;
+  }
+  return color;
+}
+
+}  // namespace sweepkit::render

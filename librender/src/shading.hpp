@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "intersection_tree.hpp"
+#include "sweepkit/scene/plan.hpp"
+#include "sweepkit/scene/scene.hpp"
+#include "sweepkit/texmap/summed_area_table.hpp"
+#include "tracer.hpp"
+
+namespace sweepkit::render {
+
+/// The rows that the filter sees: above, the row itself, below. Where nothing is filtered all three are the
+/// row itself.
+using RowWindow = std::array<const TreeRow*, 3>;
+
+struct ShadingCounts {
+  std::uint64_t shadow_rays = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t textured = 0;
+  std::uint64_t filtered = 0;
+};
+
+/// Shades a pixel's tree from its deepest node up (the paper's 3.2.2).
+class Shader {
+ public:
+  Shader(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer,
+         const std::vector<std::optional<texmap::SummedAreaTable>>& tables)
+      : scene_(scene),
+        tracer_(tracer),
+        tables_(tables),
+        filters_(plan.needs_part(scene::Part::kFilteredNodes)) {}
+
+  glm::dvec3 pixel(const RowWindow& rows, int x, ShadingCounts& counts) const;
+
+ private:
+  // The nodes of the same path in the 3 x 3 pixels about one, [1][1] the pixel's own; below 0 where there is
+  // none.
+  using Neighbourhood = std::array<std::array<std::int32_t, 3>, 3>;
+
+  glm::dvec3 node(const RowWindow& rows, const Neighbourhood& nodes, ShadingCounts& counts) const;
+  glm::dvec3 diffuse(const RowWindow& rows, const Neighbourhood& nodes, const scene::Material& material,
+                     ShadingCounts& counts) const;
+  std::optional<texmap::UvBox> footprint(const RowWindow& rows, const Neighbourhood& nodes) const;
+  glm::dvec3 local_light(const TreeNode& at, const scene::Material& material, const glm::dvec3& diffuse,
+                         ShadingCounts& counts) const;
+
+  const scene::Scene& scene_;
+  const Tracer& tracer_;
+  const std::vector<std::optional<texmap::SummedAreaTable>>& tables_;
+  bool filters_;
+};
+
+}  // namespace sweepkit::render

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "surface_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sweepkit::render {
+namespace {
+
+struct Corners {
+  glm::dvec3 a, b, c;
+};
+
+Corners positions_of(const scene::MeshView& mesh, std::uint32_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return {glm::dvec3(mesh.positions[a]), glm::dvec3(mesh.positions[b]), glm::dvec3(mesh.positions[c])};
+}
+
+Corners normals_of(const scene::MeshView& mesh, std::uint32_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return {glm::dvec3(mesh.normals[a]), glm::dvec3(mesh.normals[b]), glm::dvec3(mesh.normals[c])};
+}
+
+glm::dvec3 weighed(const Corners& corners, const Hit& hit) {
+  return hit.a * corners.a + hit.b * corners.b + hit.c * corners.c;
+}
+
+glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& fallback) {
+  const double length = glm::length(vector);
+  return length > 0 ? vector / length : fallback;
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction) {
+  const TracedObject& object = tracer.object(hit.object);
+  const Corners corners = positions_of(*object.mesh, hit.triangle);
+  const glm::dvec3 local = weighed(corners, hit);
+  SurfacePoint point;
+  point.position = glm::dvec3(object.world_from_mesh * glm::dvec4(local, 1));
+
+  // Interpolation and the way to the world are sums of at most 3 and 4 products of the magnitudes below, and
+  // the next ray undergoes the way back: 64 roundings bound them all with room.
+  const glm::dmat3 linear(object.world_from_mesh);
+  const glm::dvec3 size = glm::max(glm::abs(corners.a), glm::max(glm::abs(corners.b), glm::abs(corners.c)));
+  const glm::dvec3 magnitude = glm::abs(linear[0]) * size.x + glm::abs(linear[1]) * size.y +
+                               glm::abs(linear[2]) * size.z + glm::abs(glm::dvec3(object.world_from_mesh[3]));
+  point.error =
+      64 * std::numeric_limits<double>::epsilon() * std::max({magnitude.x, magnitude.y, magnitude.z});
+
+  const glm::dvec3 face = object.normal_to_world * glm::cross(corners.b - corners.a, corners.c - corners.a);
+  point.face_normal = unit_or(face, -direction);
+  point.shading_normal = unit_or(
+      object.normal_to_world * weighed(normals_of(*object.mesh, hit.triangle), hit), point.face_normal);
+  if (glm::dot(point.face_normal, direction) > 0) point.face_normal = -point.face_normal;
+  if (glm::dot(point.shading_normal, point.face_normal) < 0) point.shading_normal = -point.shading_normal;
+  return point;
+}
+
+glm::dvec3 leave_surface(const SurfacePoint& point, const glm::dvec3& direction) {
+  const glm::dvec3 off = point.error * point.face_normal;
+  return glm::dot(direction, point.face_normal) >= 0 ? point.position + off : point.position - off;
+}
+
+glm::dvec3 smooth_start(const Tracer& tracer, const Hit& hit, const SurfacePoint& point) {
+  const TracedObject& object = tracer.object(hit.object);
+  const Corners corners = positions_of(*object.mesh, hit.triangle);
+  const Corners normals = normals_of(*object.mesh, hit.triangle);
+  // From each corner the point is lifted onto the tangent plane there, on the side that is seen.
+  const auto lifted = [&](const glm::dvec3& corner, const glm::dvec3& normal) {
+    const glm::dvec3 at(object.world_from_mesh * glm::dvec4(corner, 1));
+    glm::dvec3 n = unit_or(object.normal_to_world * normal, point.face_normal);
+    if (glm::dot(n, point.face_normal) < 0) n = -n;
+    return std::min(0.0, glm::dot(point.position - at, n)) * n;
+  };
+  return point.position - hit.a * lifted(corners.a, normals.a) - hit.b * lifted(corners.b, normals.b) -
+         hit.c * lifted(corners.c, normals.c);
+}
+
+}  // namespace sweepkit::render

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "ray.hpp"
+#include "tracer.hpp"
+
+namespace sweepkit::render {
+
+/// Where a hit lies on the surface, in the world. Both normals are unit and face the side the ray came from.
+struct SurfacePoint {
+  glm::dvec3 position;
+  glm::dvec3 face_normal;     ///< of the triangle
+  glm::dvec3 shading_normal;  ///< interpolated
+  double error;               ///< metres: no coordinate of `position` is farther off the triangle than this
+};
+
+SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction);
+
+/// A start for a ray that leaves the surface towards `direction`, moved off it by the point's error bound.
+glm::dvec3 leave_surface(const SurfacePoint& point, const glm::dvec3& direction);
+
+/// A start for shadow rays on the smooth surface that the normals stand for, so that a coarse mesh throws no
+/// shadow of its facets on itself [Hanika21].
+glm::dvec3 smooth_start(const Tracer& tracer, const Hit& hit, const SurfacePoint& point);
+
+}  // namespace sweepkit::render
