@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// A glTF file is looked at through the same JSON reader as a scene, so that what is wrong with it has a
+// place. tinygltf is not asked: it would decode every image and load every buffer to count a few triangles.
+
+#include "sweepkit/scene/gltf_info.hpp"
+
+#include <fstream>
+#include <optional>
+#include <span>
+#include <sstream>
+
+#include "object_reader.hpp"
+#include "sweepkit/error.hpp"
+
+namespace sweepkit::scene {
+namespace {
+
+using Bytes = std::span<const unsigned char>;
+
+constexpr double kMostIndex = 4294967295.0;
+
+std::string read_bytes(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) throw InputError({.file = file.string()}, "is a folder");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError({.file = file.string()}, "no such file, or it cannot be read");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::uint32_t little_endian(Bytes bytes, std::size_t at) {
+  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
+         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+}
+
+std::uint32_t big_endian(Bytes bytes, std::size_t at, int count) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < count; ++i) value = value << 8 | bytes[at + static_cast<std::size_t>(i)];
+  return value;
+}
+
+// A .glb: header, JSON chunk, and at most one binary chunk.
+struct Container {
+  std::string json;
+  std::string binary;
+};
+
+Container open_container(std::string content, const std::string& name) {
+  if (content.compare(0, 4, "glTF") != 0) return {std::move(content), {}};
+  const Bytes bytes(reinterpret_cast<const unsigned char*>(content.data()), content.size());
+  const auto fail = [&](const std::string& problem) { throw InputError({.file = name}, problem); };
+  if (bytes.size() < 20)
+    fail("is cut short: a .glb has at least 20 bytes, got " + std::to_string(bytes.size()));
+  if (little_endian(bytes, 4) != 2)
+    fail("is glTF version " + std::to_string(little_endian(bytes, 4)) + ", not 2");
+  const std::size_t length = little_endian(bytes, 8);
+  if (length > bytes.size()) {
+    fail("is cut short: it should have " + std::to_string(length) + " bytes, got " +
+         std::to_string(bytes.size()));
+  }
+  const std::size_t json_length = little_endian(bytes, 12);
+  if (json_length > bytes.size() - 20) fail("its JSON chunk reaches past the end of the file");
+  Container container{content.substr(20, json_length), {}};
+  const std::size_t next = 20 + json_length;
+  if (next + 8 <= bytes.size()) {
+    const std::size_t binary_length = little_endian(bytes, next);
+    if (binary_length > bytes.size() - next - 8) fail("its binary chunk reaches past the end of the file");
+    container.binary = content.substr(next + 8, binary_length);
+  }
+  return container;
+}
+
+struct Size {
+  int width = 0, height = 0;
+};
+
+// PNG: the IHDR chunk comes first. JPEG: the first start-of-frame segment.
+Size image_size(Bytes bytes) {
+  static constexpr unsigned char kPng[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  if (bytes.size() >= 24 && std::equal(std::begin(kPng), std::end(kPng), bytes.begin())) {
+    return {static_cast<int>(big_endian(bytes, 16, 4)), static_cast<int>(big_endian(bytes, 20, 4))};
+  }
+  if (bytes.size() < 4 || bytes[0] != 0xff || bytes[1] != 0xd8) return {};
+  for (std::size_t at = 2; at + 9 <= bytes.size() && bytes[at] == 0xff;) {
+    const unsigned char marker = bytes[at + 1];
+    const bool is_frame =
+        marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    if (is_frame) {
+      return {static_cast<int>(big_endian(bytes, at + 7, 2)), static_cast<int>(big_endian(bytes, at + 5, 2))};
+    }
+    at += 2 + big_endian(bytes, at + 2, 2);
+  }
+  return {};
+}
+
+// The arrays of a glTF file point at one another by index.
+class Reader {
+ public:
+  Reader(const Node& root, const std::filesystem::path& folder, Bytes binary)
+      : root_(read_object(root)), folder_(folder), binary_(binary) {}
+
+  GltfInfo read() {
+    GltfInfo info;
+    ObjectReader asset = read_object(root_.get("asset"));
+    const Node version = asset.get("version");
+    if (version.text().compare(0, 2, "2.") != 0)
+      version.fail("needs glTF 2.x, got \"" + version.text() + "\"");
+    if (const auto generator = asset.find("generator")) info.generator = generator->text();
+    for (const Node& node : array("materials")) info.materials.push_back(material(node));
+    for (const Node& node : array("meshes")) info.meshes.push_back(mesh(node, info.materials));
+    for (const Node& node : array("images")) info.images.push_back(image(node));
+    return info;
+  }
+
+ private:
+  std::vector<Node> array(const std::string& key) {
+    const std::optional<Node> node = root_.find(key);
+    return node ? node->items() : std::vector<Node>();
+  }
+
+  static std::string name_of(ObjectReader& reader) {
+    const std::optional<Node> name = reader.find("name");
+    return name ? name->text() : "";
+  }
+
+  static std::uint64_t whole(const Node& node) {
+    return static_cast<std::uint64_t>(node.number({.low = 0, .high = kMostIndex}));
+  }
+
+  Node pointed(const Node& index, const std::string& key) {
+    const std::vector<Node> items = array(key);
+    const std::uint64_t at = whole(index);
+    if (at >= items.size()) {
+      index.fail("points at " + key + " " + std::to_string(at) + ", but there are " +
+                 std::to_string(items.size()));
+    }
+    return items[at];
+  }
+
+  std::uint64_t count(const Node& accessor_index) {
+    ObjectReader accessor = read_object(pointed(accessor_index, "accessors"));
+    return whole(accessor.get("count"));
+  }
+
+  static GltfInfo::Material material(const Node& node) {
+    ObjectReader reader = read_object(node);
+    GltfInfo::Material material{name_of(reader)};
+    if (const auto pbr = reader.find("pbrMetallicRoughness")) {
+      material.is_textured = read_object(*pbr).find("baseColorTexture").has_value();
+    }
+    return material;
+  }
+
+  GltfInfo::Mesh mesh(const Node& node, const std::vector<GltfInfo::Material>& materials) {
+    ObjectReader reader = read_object(node);
+    GltfInfo::Mesh mesh{name_of(reader)};
+    bool is_first = true;
+    for (const Node& item : reader.get("primitives").items()) {
+      ObjectReader primitive = read_object(item);
+      const std::optional<Node> mode = primitive.find("mode");
+      const std::optional<Node> indices = primitive.find("indices");
+      const std::uint64_t vertices = count(read_object(primitive.get("attributes")).get("POSITION"));
+      const std::uint64_t corners = indices ? count(*indices) : vertices;
+      const std::uint64_t kind = mode ? whole(*mode) : 4;
+      if (kind == 4) mesh.triangles += corners / 3;
+      if ((kind == 5 || kind == 6) && corners > 2) mesh.triangles += corners - 2;  // a strip, a fan
+      mesh.vertices += vertices;
+      if (const auto material = primitive.find("material"); material && is_first) {
+        pointed(*material, "materials");
+        mesh.material = materials[whole(*material)].name;
+      }
+      is_first = false;
+    }
+    return mesh;
+  }
+
+  GltfInfo::Image image(const Node& node) {
+    ObjectReader reader = read_object(node);
+    GltfInfo::Image image{name_of(reader), {}};
+    if (const auto view_index = reader.find("bufferView")) {
+      ObjectReader view = read_object(pointed(*view_index, "bufferViews"));
+      const std::optional<Node> offset = view.find("byteOffset");
+      const std::uint64_t start = offset ? whole(*offset) : 0;
+      const Node length = view.get("byteLength");
+      image.bytes = whole(length);
+      if (start <= binary_.size() && image.bytes <= binary_.size() - start) {
+        set_size(image, binary_.subspan(start, image.bytes));
+      } else if (!binary_.empty()) {
+        length.fail("reaches past the end of the binary chunk");
+      }
+      return image;
+    }
+    const std::string uri = reader.get("uri").text();
+    if (uri.compare(0, 5, "data:") == 0) {
+      image.bytes = (uri.size() - uri.find(',') - 1) / 4 * 3;  // base64, give or take its padding
+      return image;
+    }
+    image.file = uri;
+    std::error_code error;
+    const std::filesystem::path file = folder_ / percent_decoded(uri);
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error) return image;
+    image.bytes = size;
+    const std::string content = read_bytes(file);
+    set_size(image, Bytes(reinterpret_cast<const unsigned char*>(content.data()), content.size()));
+    return image;
+  }
+
+  static void set_size(GltfInfo::Image& image, Bytes bytes) {
+    const Size size = image_size(bytes);
+    image.width = size.width;
+    image.height = size.height;
+  }
+
+  static std::string percent_decoded(const std::string& uri) {
+    std::string out;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+      unsigned int code = 0;
+      const std::string digits = uri.substr(i, 3);
+      if (digits.size() == 3 && std::sscanf(digits.c_str(), "%%%2x", &code) == 1) {
+        out += static_cast<char>(code);
+        i += 2;
+      } else {
+        out += uri[i];
+      }
+    }
+    return out;
+  }
+
+  ObjectReader root_;
+  std::filesystem::path folder_;
+  Bytes binary_;
+};
+
+}  // namespace
+
+GltfInfo read_gltf_info(const std::filesystem::path& file) {
+  std::string content = read_bytes(file);
+  const std::size_t bytes = content.size();
+  const Container container = open_container(std::move(content), file.string());
+  const JsonDocument json = parse_json(container.json, file.string());
+  const Bytes binary(reinterpret_cast<const unsigned char*>(container.binary.data()),
+                     container.binary.size());
+  GltfInfo info = Reader(Node(json.root, ""), file.parent_path(), binary).read();
+  info.bytes = bytes;
+  return info;
+}
+
+}  // namespace sweepkit::scene

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace sweepkit::tools {
+
+/// Each adds one command to the program: its options, its help with an example, and what it does when it is
+/// called. Commands throw InputError and OutputError; main() turns them into an exit status.
+void add_generate(CLI::App& app);
+void add_render(CLI::App& app);
+void add_bake(CLI::App& app);
+void add_info(CLI::App& app);
+
+}  // namespace sweepkit::tools

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <span>
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "plan_table.hpp"
+#include "progress.hpp"
+#include "scene_input.hpp"
+#include "sweepkit/error.hpp"
+#include "sweepkit/render/render.hpp"
+#include "sweepkit/scene/model.hpp"
+#include "sweepkit/scene/output_file.hpp"
+
+namespace sweepkit::tools {
+namespace {
+
+constexpr int kMostPixels = 65536;  // a side, as the scene's camera has it
+constexpr int kMostThreads = 1024;
+constexpr int kDeepest = 64;  // as the scene's "depth" has it
+
+struct Render {
+  SceneInput input;
+  Output output;
+  render::Options options;
+  std::string size;
+  std::string filter = "integral-1";
+  std::string antialias = "off";
+  std::string statistics;  // a file
+  int depth = -1;          // the scene's
+};
+
+void check_names(const Render& command) {
+  const Output& output = command.output;
+  if (output.file.empty()) {
+    if (!output.explains) throw InputError("-o FILE is needed (or --explain)");
+    if (!command.statistics.empty()) throw InputError("--stats needs -o FILE");
+    return;
+  }
+  picture_format(output);
+  scene::check_output(output.file);
+  if (command.statistics.empty()) return;
+  if (command.statistics == output.file) {
+    throw InputError({.file = "--stats"}, "needs another file than -o, got \"" + output.file + "\" for both");
+  }
+  scene::check_output(command.statistics);
+}
+
+scene::Document read_document(const Render& command) {
+  scene::Document document = read_scene(command.input);
+  if (!command.size.empty()) {
+    const PixelSize size = parse_size(command.size, kMostPixels);
+    document.width = size.width;
+    document.height = size.height;
+  }
+  if (command.depth >= 0) document.depth = command.depth;
+  return document;
+}
+
+Report statistics_report(const render::Statistics& statistics, const scene::Plan& plan,
+                         const scene::Ledger& ledger) {
+  return {{{"eye_rays", statistics.eye_rays},
+           {"reflected_rays", statistics.reflected_rays},
+           {"shadow_rays", statistics.shadow_rays},
+           {"nodes", statistics.nodes},
+           {"textured_nodes", statistics.textured_nodes},
+           {"filtered_nodes", statistics.filtered_nodes},
+           {"grid_seconds", statistics.grid_seconds},
+           {"table_seconds", statistics.table_seconds},
+           {"picture_seconds", statistics.picture_seconds},
+           {"shade_thread_seconds", statistics.shade_thread_seconds},
+           {"grid_bytes", statistics.grid_bytes},
+           {"voxels", statistics.voxels},
+           {"median_triangles", std::uint64_t{statistics.median_triangles}},
+           {"p99_triangles", std::uint64_t{statistics.p99_triangles}},
+           {"max_triangles", std::uint64_t{statistics.max_triangles}}},
+          {plan_table(plan, ledger)}};
+}
+
+void draw(Render& command) {
+  const auto start = std::chrono::steady_clock::now();
+  const Output& output = command.output;
+  check_names(command);
+  command.options.filter = command.filter == "point" ? render::Filter::kPoint : render::Filter::kIntegral1;
+  command.options.supersampling = command.antialias == "3x3" ? 3 : 1;
+
+  const scene::Document document = read_document(command);
+  const scene::Plan plan =
+      scene::plan(document, {.product = scene::Request::Product::kPicture,
+                             .is_filtered = command.options.filter != render::Filter::kPoint,
+                             .is_supersampled = command.options.supersampling > 1});
+  if (output.file.empty()) {
+    print({{}, {plan_table(plan, {})}}, output);
+    return;
+  }
+  const scene::Model model = scene::build(document, plan);
+  const render::Picture picture = [&] {
+    Progress progress(output.is_quiet);
+    command.options.on_progress = progress.callback();
+    return render::render(model.scene, plan, command.options);
+  }();
+  scene::Ledger ledger = model.ledger;
+  ledger.add(picture.ledger);
+
+  const std::vector<std::byte> bytes = texmap::encode_image(picture.image, picture_format(output));
+  std::vector<scene::OutputFile> files = {{output.file, bytes}};
+  const std::string statistics =
+      command.statistics.empty() ? "" : to_json(statistics_report(picture.statistics, plan, ledger));
+  if (!command.statistics.empty()) {
+    files.push_back({command.statistics, std::as_bytes(std::span(statistics))});
+  }
+  scene::write_files(files);
+
+  if (output.explains) print({{}, {plan_table(plan, ledger)}}, output);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  say((output.is_standard() ? "standard output" : output.file) + ": " + std::to_string(document.width) +
+          " x " + std::to_string(document.height) + " pixels in " + duration_text(seconds),
+      output);
+}
+
+}  // namespace
+
+void add_render(CLI::App& app) {
+  const auto command = std::make_shared<Render>();
+  CLI::App& sub = *app.add_subcommand("render", "Draw the scene as a picture by ray tracing");
+  add_scene_input(sub, command->input);
+  add_picture_output(sub, command->output, "The picture");
+  sub.add_option("--size", command->size, "Pixels, instead of the scene's")->type_name("WxH");
+  sub.add_option("--filter", command->filter,
+                 "Textures: the texel at the hit, or the mean over its neighbours' box (integral-1)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"point", "integral-1"}));
+  sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"off", "3x3"}));
+  sub.add_option("--depth", command->depth, "Levels of reflection, instead of the scene's")
+      ->type_name("N")
+      ->check(CLI::Range(0, kDeepest));
+  sub.add_option("--threads", command->options.threads,
+                 "Threads; without it as many as the machine has. The picture is the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+  sub.add_option("--stats", command->statistics, "Write counters, times and the plan as JSON")
+      ->type_name("FILE");
+  add_explain(sub, command->output);
+  add_quiet(sub, command->output);
+  sub.footer(
+      "Example:\n  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png --antialias 3x3");
+  sub.callback([command] { draw(*command); });
+}
+
+}  // namespace sweepkit::tools

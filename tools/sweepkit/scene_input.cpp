@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "scene_input.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+
+#include "sweepkit/error.hpp"
+
+namespace sweepkit::tools {
+
+void add_scene_input(CLI::App& command, SceneInput& input) {
+  command.add_option("SCENE", input.file, "Scene file (JSON)")->required()->type_name("");
+  command
+      .add_option("--set", input.settings,
+                  "Change a value of the scene, such as /objects/0/revolve/angle_deg=270; may be repeated")
+      ->type_name("POINTER=VALUE")
+      ->allow_extra_args(false);
+}
+
+scene::Document read_scene(const SceneInput& input) {
+  std::vector<scene::Setting> settings;
+  for (const std::string& text : input.settings) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+      throw InputError({.file = "--set"},
+                       "needs POINTER=VALUE, such as /objects/0/name=vase, got \"" + text + "\"");
+    }
+    settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return scene::read_document(input.file, settings);
+}
+
+void keep_object(scene::Document& document, const std::string& name) {
+  const auto found = std::find_if(document.objects.begin(), document.objects.end(),
+                                  [&](const scene::ObjectEntry& object) { return object.name == name; });
+  if (found == document.objects.end()) {
+    std::string names;
+    for (const scene::ObjectEntry& object : document.objects) {
+      names += (names.empty() ? "\"" : ", \"") + object.name + '"';
+    }
+    throw InputError({.file = "--object"}, "there is no object \"" + name + "\"; there is " + names);
+  }
+  scene::ObjectEntry kept = std::move(*found);
+  document.objects.clear();
+  document.objects.push_back(std::move(kept));
+}
+
+PixelSize parse_size(const std::string& text, int most) {
+  PixelSize size;
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  const bool has_cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = has_cross ? std::from_chars(width.ptr + 1, end, size.height) : width;
+  const bool is_read = has_cross && height.ec == std::errc() && height.ptr == end;
+  if (!is_read || size.width < 1 || size.height < 1 || size.width > most || size.height > most) {
+    throw InputError({.file = "--size"}, "needs WIDTHxHEIGHT in pixels, each 1 to " + std::to_string(most) +
+                                             ", such as 640x480, got \"" + text + "\"");
+  }
+  return size;
+}
+
+}  // namespace sweepkit::tools

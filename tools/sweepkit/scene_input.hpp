@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sweepkit/scene/document.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sweepkit::tools {
+
+/// The scene that a command works on: its file, changed by --set.
+struct SceneInput {
+  std::string file;
+  std::vector<std::string> settings;  ///< POINTER=VALUE
+};
+
+void add_scene_input(CLI::App& command, SceneInput& input);
+
+/// Throws InputError: a setting without "=", or what scene::read_document() finds.
+scene::Document read_scene(const SceneInput& input);
+
+/// Leaves the named object alone in the document, so that nothing else is planned, made or read. Throws
+/// InputError with the names there are.
+void keep_object(scene::Document& document, const std::string& name);
+
+struct PixelSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// "640x480". Throws InputError naming --size: not two whole numbers, or a side not in 1 to `most`.
+PixelSize parse_size(const std::string& text, int most);
+
+}  // namespace sweepkit::tools
