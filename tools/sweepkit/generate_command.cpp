@@ -73,7 +73,8 @@ void generate(const Generate& command) {
   for (const scene::NamedBytes& part : gltf.files) bytes += part.bytes.size();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   say((output.is_standard() ? "standard output" : output.file) + ": " +
-          std::to_string(model.scene.objects.size()) + " objects, " + std::to_string(triangles) +
+          std::to_string(model.scene.objects.size()) +
+          (model.scene.objects.size() == 1 ? " object, " : " objects, ") + std::to_string(triangles) +
           " triangles, " + std::to_string(bytes) + " bytes in " + duration_text(seconds),
       output);
 }

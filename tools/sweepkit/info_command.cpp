@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -21,6 +22,11 @@ struct Info {
 
 Value or_nothing(const std::string& text) {
   return text.empty() ? Value() : Value(text);
+}
+
+// As it stood in the file: 0.22 and not 0.2199999988079071.
+double as_written(float value) {
+  return std::round(1e6 * static_cast<double>(value)) / 1e6;
 }
 
 Value texture_name(const scene::Document& document, const scene::Material& material) {
@@ -47,7 +53,7 @@ Record texture_row(const scene::TextureEntry& texture) {
           {"kind", std::string("image")},
           {"width", static_cast<std::uint64_t>(image.width)},
           {"height", static_cast<std::uint64_t>(image.height)},
-          {"file", file.string()}};
+          {"file", file.lexically_normal().string()}};
 }
 
 Report scene_report(const std::string& file) {
@@ -75,7 +81,7 @@ Report scene_report(const std::string& file) {
   for (const scene::Material& material : document.materials) {
     materials.rows.push_back({{"material", material.name},
                               {"texture", texture_name(document, material)},
-                              {"reflect", static_cast<double>(material.reflect)}});
+                              {"reflect", as_written(material.reflect)}});
   }
   Table textures{"textures", {}};
   for (const scene::TextureEntry& texture : document.textures) textures.rows.push_back(texture_row(texture));
