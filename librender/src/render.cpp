@@ -109,7 +109,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   start = Clock::now();
   picture.image = texmap::make_float_image(scene.width, scene.height);
   const TreeBuilder builder(scene, plan, tracer);
-  const Shader shader(scene, plan, tracer, tables);
+  const Shader shader(scene, plan, tracer, tables, options.footprint);
   const BandPainter painter(scene, plan, builder, shader, options.supersampling);
   const int bands = (scene.height + kBandRows - 1) / kBandRows;
   std::vector<BandCounts> counts(static_cast<std::size_t>(bands));

@@ -92,7 +92,11 @@ std::optional<texmap::UvBox> Shader::footprint(const RowWindow& rows, const Neig
     }
   }
   const sweep::Area& area = tracer_.object(at.hit.object).mesh->areas[at.area];
-  return texmap::neighbour_box(rows[1]->texcoords[own], neighbours, {area.u_period, area.v_period});
+  const glm::dvec2 hit = rows[1]->texcoords[own];
+  const texmap::UvBox box = texmap::neighbour_box(hit, neighbours, {area.u_period, area.v_period});
+  // Departs from the paper unless asked not to: the neighbours' middles lie two pixels apart, and a box that
+  // wide blurs more than it cures (docs/algorithms/texture-filter.md has the figures).
+  return footprint_ == Footprint::kNeighbours ? box : texmap::shrunk(box, hit, 0.5);
 }
 
 glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const scene::Material& material,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "intersection_tree.hpp"
+#include "sweepkit/render/render.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
 #include "sweepkit/texmap/summed_area_table.hpp"
@@ -31,10 +32,11 @@ struct ShadingCounts {
 class Shader {
  public:
   Shader(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer,
-         const std::vector<std::optional<texmap::SummedAreaTable>>& tables)
+         const std::vector<std::optional<texmap::SummedAreaTable>>& tables, Footprint footprint)
       : scene_(scene),
         tracer_(tracer),
         tables_(tables),
+        footprint_(footprint),
         filters_(plan.needs_part(scene::Part::kFilteredNodes)) {}
 
   glm::dvec3 pixel(const RowWindow& rows, int x, ShadingCounts& counts) const;
@@ -54,6 +56,7 @@ class Shader {
   const scene::Scene& scene_;
   const Tracer& tracer_;
   const std::vector<std::optional<texmap::SummedAreaTable>>& tables_;
+  Footprint footprint_;
   bool filters_;
 };
 

@@ -20,4 +20,8 @@ UvBox neighbour_box(glm::dvec2 hit, std::span<const glm::dvec2> neighbours, glm:
   return box;
 }
 
+UvBox shrunk(const UvBox& box, glm::dvec2 hit, double share) {
+  return {hit + share * (box.min - hit), hit + share * (box.max - hit)};
+}
+
 }  // namespace sweepkit::texmap

@@ -28,6 +28,7 @@ struct Render {
   render::Options options;
   std::string size;
   std::string filter = "integral-1";
+  std::string footprint = "auto";
   std::string antialias = "off";
   std::string statistics;  // a file
   int depth = -1;          // the scene's
@@ -85,6 +86,8 @@ void draw(Render& command) {
   const Output& output = command.output;
   check_names(command);
   command.options.filter = command.filter == "point" ? render::Filter::kPoint : render::Filter::kIntegral1;
+  command.options.footprint =
+      command.footprint == "neighbours" ? render::Footprint::kNeighbours : render::Footprint::kAuto;
   command.options.supersampling = command.antialias == "3x3" ? 3 : 1;
 
   const scene::Document document = read_document(command);
@@ -133,6 +136,10 @@ void add_render(CLI::App& app) {
                  "Textures: the texel at the hit, or the mean over its neighbours' box (integral-1)")
       ->capture_default_str()
       ->check(CLI::IsMember({"point", "integral-1"}));
+  sub.add_option("--footprint", command->footprint,
+                 "What the filter covers: the neighbours' box, two pixels wide (the paper's), or auto, one pixel")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"neighbours", "auto"}));
   sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")
       ->capture_default_str()
       ->check(CLI::IsMember({"off", "3x3"}));

@@ -19,11 +19,17 @@ enum class Filter {
   kIntegral1,  ///< the mean over the box of the neighbours' hits, from a summed-area table (the paper's)
 };
 
+enum class Footprint {
+  kNeighbours,  ///< the neighbours' box as it is, two pixels wide (the paper's)
+  kAuto,        ///< the one with the least error known: the neighbours' box halved, one pixel wide
+};
+
 /// One eye ray a pixel; or a picture n times as large each way, shrunk. 3 takes the paper's weights (1/4 in
 /// the middle, 1/8 at the sides, 1/16 at the corners), any other n equal ones: 16 makes a reference under a
 /// box of one pixel.
 struct Options {
   Filter filter = Filter::kIntegral1;
+  Footprint footprint = Footprint::kAuto;
   int supersampling = 1;  ///< 1 to 64
   int threads = 0;        ///< 0: as many as the machine has
   bool uses_linear_scan =

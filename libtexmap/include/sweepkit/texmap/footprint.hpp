@@ -14,4 +14,7 @@ namespace sweepkit::texmap {
 /// does not span the whole texture. Neighbours that are not finite are passed over.
 UvBox neighbour_box(glm::dvec2 hit, std::span<const glm::dvec2> neighbours, glm::dvec2 period);
 
+/// The same box shrunk about the hit: the neighbours' hits span two pixels, so a `share` of 0.5 spans one.
+UvBox shrunk(const UvBox& box, glm::dvec2 hit, double share);
+
 }  // namespace sweepkit::texmap
