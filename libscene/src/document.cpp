@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "sweepkit/scene/document.hpp"
 
+#include <array>
 #include <fstream>
-#include <sstream>
 
 #include "object_reader.hpp"
 #include "read_look.hpp"
@@ -13,40 +13,39 @@ namespace sweepkit::scene {
 namespace {
 
 constexpr int kMostPixels = 65536;  // a side
+constexpr std::size_t kLargestScene = std::size_t{256} << 20;
+// Between them a pixel's width keeps its digits.
+constexpr Range kFieldOfView{.low = 0.001, .high = 179, .unit = " degrees"};
 
 void read_camera(const Node& node, Document& document) {
-  ObjectReader reader = read_object(node);
+  ObjectReader reader(node);
   const std::optional<Node> eye = reader.find("eye");
   const std::optional<Node> target = reader.find("target");
-  Camera camera;
+  Camera& camera = document.camera;
   if (const auto up = reader.find("up")) {
-    camera.up = up->vector<3>();
-    if (camera.up == glm::dvec3(0.0)) up->fail("needs a direction that is not zero");
+    camera.up = up->vector<3>(kCoordinate);
+    if (glm::length(camera.up) < kExtent.low) up->fail("needs a direction that is not zero");
   }
-  if (const auto fov = reader.find("fov_deg")) {
-    camera.fov_deg =
-        fov->number({.low = 0, .high = 180, .unit = " degrees", .excludes_low = true, .excludes_high = true});
-  }
+  if (const auto fov = reader.find("fov_deg")) camera.fov_deg = fov->number(kFieldOfView);
   if (const auto width = reader.find("width")) document.width = width->integer(1, kMostPixels, " pixels");
   if (const auto height = reader.find("height")) document.height = height->integer(1, kMostPixels, " pixels");
   reader.finish();
-  if (!eye && !target) return;  // the picture frames the scene
+  if (!eye && !target) return;
   if (!eye) node.fail("needs \"eye\" where there is \"target\"");
   if (!target) node.fail("needs \"target\" where there is \"eye\"");
-  camera.eye = eye->vector<3>();
-  camera.target = target->vector<3>();
-  if (camera.eye == camera.target) target->fail("needs to differ from \"eye\"");
-  document.camera = camera;
+  camera.eye = eye->vector<3>(kCoordinate);
+  camera.target = target->vector<3>(kCoordinate);
+  if (glm::distance(camera.eye, camera.target) < kExtent.low) target->fail("needs to differ from \"eye\"");
+  document.has_view = true;
 }
 
 Document read_document(const JsonDocument& json, const std::filesystem::path& folder) {
   const Node root(json.root, "");
-  ObjectReader reader = read_object(root);
+  ObjectReader reader(root);
   Document document;
   const Node version = reader.get("sweepkit");
   if (version.number() != 1)
     version.fail("this program reads version 1 of the scene format, got " + to_text(version.number()));
-  reader.find("$schema");
   if (const auto node = reader.find("camera")) read_camera(*node, document);
   if (const auto node = reader.find("background")) document.background = node->color();
   if (const auto node = reader.find("ambient")) {
@@ -59,10 +58,8 @@ Document read_document(const JsonDocument& json, const std::filesystem::path& fo
   }
   if (const auto node = reader.find("textures")) document.textures = read_textures(*node, folder);
   if (const auto node = reader.find("materials")) {
-    ObjectReader materials = read_object(*node);
-    for (const auto& [name, value] : std::get<JsonValue::Object>(node->value().data)) {
-      document.materials.push_back(read_material(materials.get(name), document.textures));
-      document.materials.back().name = name;
+    for (const auto& [name, material] : ObjectReader(*node).members()) {
+      document.materials.push_back(read_material(name, material, document.textures));
     }
   }
   const Node objects = reader.get("objects");
@@ -90,10 +87,17 @@ Document read_document(const std::filesystem::path& file, const std::vector<Sett
     throw InputError({.file = file.string()},
                      exists ? "cannot be read; check its permissions" : "no such file");
   }
-  std::ostringstream text;
-  text << stream.rdbuf();
+  // Counted as it comes, since a device or a pipe does not tell its size.
+  std::string text;
+  std::array<char, 65536> block;
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > kLargestScene) {
+      throw InputError({.file = file.string()}, "is over 256 MiB, too large for a scene file");
+    }
+  }
   if (stream.bad()) throw InputError({.file = file.string()}, "cannot be read to its end");
-  return parse_document(text.str(), file, settings);
+  return parse_document(text, file, settings);
 }
 
 }  // namespace sweepkit::scene

@@ -100,11 +100,11 @@ Size image_size(Bytes bytes) {
 class Reader {
  public:
   Reader(const Node& root, const std::filesystem::path& folder, Bytes binary)
-      : root_(read_object(root)), folder_(folder), binary_(binary) {}
+      : root_(ObjectReader(root)), folder_(folder), binary_(binary) {}
 
   GltfInfo read() {
     GltfInfo info;
-    ObjectReader asset = read_object(root_.get("asset"));
+    ObjectReader asset(root_.get("asset"));
     const Node version = asset.get("version");
     if (version.text().compare(0, 2, "2.") != 0)
       version.fail("needs glTF 2.x, got \"" + version.text() + "\"");
@@ -141,28 +141,28 @@ class Reader {
   }
 
   std::uint64_t count(const Node& accessor_index) {
-    ObjectReader accessor = read_object(pointed(accessor_index, "accessors"));
+    ObjectReader accessor(pointed(accessor_index, "accessors"));
     return whole(accessor.get("count"));
   }
 
   static GltfInfo::Material material(const Node& node) {
-    ObjectReader reader = read_object(node);
+    ObjectReader reader(node);
     GltfInfo::Material material{name_of(reader)};
     if (const auto pbr = reader.find("pbrMetallicRoughness")) {
-      material.is_textured = read_object(*pbr).find("baseColorTexture").has_value();
+      material.is_textured = ObjectReader(*pbr).find("baseColorTexture").has_value();
     }
     return material;
   }
 
   GltfInfo::Mesh mesh(const Node& node, const std::vector<GltfInfo::Material>& materials) {
-    ObjectReader reader = read_object(node);
+    ObjectReader reader(node);
     GltfInfo::Mesh mesh{name_of(reader)};
     bool is_first = true;
     for (const Node& item : reader.get("primitives").items()) {
-      ObjectReader primitive = read_object(item);
+      ObjectReader primitive(item);
       const std::optional<Node> mode = primitive.find("mode");
       const std::optional<Node> indices = primitive.find("indices");
-      const std::uint64_t vertices = count(read_object(primitive.get("attributes")).get("POSITION"));
+      const std::uint64_t vertices = count(ObjectReader(primitive.get("attributes")).get("POSITION"));
       const std::uint64_t corners = indices ? count(*indices) : vertices;
       const std::uint64_t kind = mode ? whole(*mode) : 4;
       if (kind == 4) mesh.triangles += corners / 3;
@@ -178,10 +178,10 @@ class Reader {
   }
 
   GltfInfo::Image image(const Node& node) {
-    ObjectReader reader = read_object(node);
+    ObjectReader reader(node);
     GltfInfo::Image image{name_of(reader), {}};
     if (const auto view_index = reader.find("bufferView")) {
-      ObjectReader view = read_object(pointed(*view_index, "bufferViews"));
+      ObjectReader view(pointed(*view_index, "bufferViews"));
       const std::optional<Node> offset = view.find("byteOffset");
       const std::uint64_t start = offset ? whole(*offset) : 0;
       const Node length = view.get("byteLength");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "sweepkit/scene/material.hpp"
 
@@ -13,11 +14,13 @@ struct GltfMaterial {
   glm::vec3 base_color{0.8f};
   float metallic = 0;
   float roughness = 1;
+  std::optional<float> specular_color;  ///< KHR_materials_specular's factor, the same for red, green and blue
 };
 
-/// Roughness from the Blinn exponent, alpha = sqrt(2 / (n + 2)) and roughness = sqrt(alpha) (Walter et al.
-/// 2007 for the first, glTF's own squaring for the second); 1 where there is no highlight. A surface that
-/// mirrors more than it scatters becomes a metal of that reflectance.
+/// Roughness from the Blinn exponent, alpha = sqrt(2 / (n + 2)) [Walter07] and roughness = sqrt(alpha) (glTF
+/// squares it); 1 where there is neither highlight nor mirror. A share reflected besides a diffuse body is a
+/// coat of that reflectance, where a dielectric's would be 0.04; a surface that reflects more than it
+/// scatters is a metal.
 GltfMaterial to_gltf(const Material& material);
 
 }  // namespace sweepkit::scene

@@ -9,27 +9,16 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <unordered_set>
 
 #include "json_value.hpp"
+#include "message_text.hpp"
 #include "sweepkit/error.hpp"
 
 namespace sweepkit::scene {
 namespace {
 
 constexpr std::size_t kDeepest = 64;
-
-struct LineColumn {
-  int line, column;
-};
-
-LineColumn line_column(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, std::min(offset, text.size()));
-  const auto line = std::count(before.begin(), before.end(), '\n');
-  const std::size_t last_break = before.rfind('\n');
-  const std::size_t column =
-      last_break == std::string_view::npos ? before.size() : before.size() - last_break - 1;
-  return {static_cast<int>(line) + 1, static_cast<int>(column) + 1};
-}
 
 // An input iterator that leaves behind how far it was read.
 class CountingIterator {
@@ -79,10 +68,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool end_array() override { return close(); }
 
   bool key(string_t& name) override {
-    const LineColumn at = next_token(false);
-    const auto& object = std::get<JsonValue::Object>(open_.back()->data);
-    if (std::any_of(object.begin(), object.end(), [&](const auto& member) { return member.first == name; })) {
-      fail(at, "\"" + name + "\" stands twice in this object; leave one out");
+    key_place_ = next_token(false);
+    if (!open_.back().keys.insert(name).second) {
+      fail(key_place_, in_quotes(name) + " stands twice in this object; leave one out");
     }
     key_ = std::move(name);
     return true;
@@ -90,20 +78,41 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::json::exception& error) override {
-    std::string what = error.what();
-    const LineColumn at = line_column(text_, position > 0 ? position - 1 : 0);
-    if (const std::size_t number = what.find("number overflow parsing "); number != std::string::npos) {
-      fail(next_token(true), "the number " + what.substr(number + 24) + " is too large");
+    const std::string what = error.what();
+    // A wrong comma or bracket stands where the lexer is; any other token began further left.
+    const std::size_t last = std::min(position > 0 ? position - 1 : 0, text_.size());
+    const bool is_mark =
+        last < text_.size() && std::string_view(",:{}[]").find(text_[last]) != std::string_view::npos;
+    const JsonPlace at = is_mark ? place_of(last) : next_token(true);
+    constexpr std::string_view kOverflow = "number overflow parsing ";
+    if (const std::size_t found = what.find(kOverflow); found != std::string::npos) {
+      fail(at, "the number " + one_line(what.substr(found + kOverflow.size()), 80) + " is too large");
     }
-    if (const std::size_t start = what.find("syntax error"); start != std::string::npos)
-      what = what.substr(start);
-    std::replace(what.begin(), what.end(), '\n', ' ');
-    fail(at, "not valid JSON: " + what);
+    fail(at, "not valid JSON: " + finding(what));
   }
 
  private:
-  [[noreturn]] void fail(LineColumn at, std::string problem) const {
+  struct Open {
+    JsonValue* value;  // holds still: a parent gets no other child before this one is closed
+    std::unordered_set<std::string> keys;
+  };
+
+  [[noreturn]] void fail(const JsonPlace& at, std::string problem) const {
     throw InputError({.file = source_, .line = at.line, .column = at.column}, std::move(problem));
+  }
+
+  // nlohmann's "[...] parse error at line 1, column 2: syntax error while parsing value - unexpected ']';
+  // last read: ...; expected ..." without what the place says already, and without the text read, which may
+  // be no UTF-8.
+  static std::string finding(const std::string& what) {
+    const std::size_t start = what.find("while parsing ");
+    std::string text = start == std::string::npos ? what : what.substr(start);
+    if (const std::size_t read = text.find("; last read: "); read != std::string::npos) {
+      const std::size_t expected = text.rfind("; expected ");
+      const bool has_more = expected != std::string::npos && expected > read;
+      text = text.substr(0, read) + (has_more ? text.substr(expected) : "");
+    }
+    return one_line(text);
   }
 
   std::size_t skip_between(std::size_t offset) const {
@@ -112,7 +121,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ',' || c == ':' || c == '\xEF' ||
           c == '\xBB' || c == '\xBF') {
         ++offset;
-      } else if (c == '/' && offset + 1 < text_.size()) {
+      } else if (c == '/' && offset + 1 < text_.size() &&
+                 (text_[offset + 1] == '/' || text_[offset + 1] == '*')) {
         const bool is_line = text_[offset + 1] == '/';
         const std::size_t end = text_.find(is_line ? "\n" : "*/", offset + 2);
         if (end == std::string_view::npos) return text_.size();
@@ -124,43 +134,47 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return offset;
   }
 
-  LineColumn next_token(bool is_number) {
+  // Counting on from the last place keeps the whole linear.
+  JsonPlace place_of(std::size_t offset) {
+    const std::string_view passed = text_.substr(counted_to_, offset - counted_to_);
+    const auto breaks = std::count(passed.begin(), passed.end(), '\n');
+    line_ += static_cast<int>(breaks);
+    if (breaks > 0) line_start_ = counted_to_ + passed.rfind('\n') + 1;
+    counted_to_ = offset;
+    return {&source_, line_, static_cast<int>(offset - line_start_) + 1};
+  }
+
+  JsonPlace next_token(bool is_number) {
     const std::size_t start = skip_between(token_end_);
     token_end_ = static_cast<std::size_t>(farthest_ - text_.data());
     // A number has read one byte too far, unless the text ends with it.
     if (is_number && token_end_ > 0 &&
-        std::string_view("0123456789").find(text_[token_end_ - 1]) == std::string_view::npos)
+        std::string_view("0123456789").find(text_[token_end_ - 1]) == std::string_view::npos) {
       --token_end_;
-    // Counting on from the last token keeps the whole linear.
-    const std::string_view passed = text_.substr(counted_to_, start - counted_to_);
-    const auto breaks = std::count(passed.begin(), passed.end(), '\n');
-    line_ += static_cast<int>(breaks);
-    if (breaks > 0) line_start_ = counted_to_ + passed.rfind('\n') + 1;
-    counted_to_ = start;
-    return {line_, static_cast<int>(start - line_start_) + 1};
+    }
+    return place_of(start);
   }
 
-  JsonValue& place(JsonValue value) {
+  JsonValue& put(JsonValue value) {
     if (open_.empty()) return root_ = std::move(value);
-    if (auto* array = std::get_if<JsonValue::Array>(&open_.back()->data))
+    if (auto* array = std::get_if<JsonValue::Array>(&open_.back().value->data)) {
       return array->emplace_back(std::move(value));
-    return std::get<JsonValue::Object>(open_.back()->data)
-        .emplace_back(std::move(key_), std::move(value))
-        .second;
+    }
+    auto& object = std::get<JsonValue::Object>(open_.back().value->data);
+    return object.emplace_back(JsonMember{std::move(key_), key_place_, std::move(value)}).value;
   }
 
   template <class T>
   bool add(T&& data, bool is_number = false) {
-    const LineColumn at = next_token(is_number);
-    place({std::forward<T>(data), &source_, at.line, at.column});
+    put({std::forward<T>(data), next_token(is_number)});
     return true;
   }
 
   template <class T>
   bool open(T&& data) {
-    const LineColumn at = next_token(false);
-    if (open_.size() == kDeepest) fail(at, "values are nested deeper than 64 levels");
-    open_.push_back(&place({std::forward<T>(data), &source_, at.line, at.column}));
+    const JsonPlace at = next_token(false);
+    if (open_.size() == kDeepest) fail(at, "values are nested deeper than 64 levels; the scene needs fewer");
+    open_.push_back({&put({std::forward<T>(data), at}), {}});
     return true;
   }
 
@@ -174,52 +188,14 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   const std::string& source_;
   const char* const& farthest_;
   JsonValue root_;
-  std::vector<JsonValue*> open_;  // a parent holds still while its last child is open
+  std::vector<Open> open_;
   std::string key_;
+  JsonPlace key_place_;
   std::size_t token_end_ = 0;
   std::size_t counted_to_ = 0;
   std::size_t line_start_ = 0;
   int line_ = 1;
 };
-
-JsonValue parse_value(const std::string& text, const std::string& source) {
-  const char* farthest = text.data();
-  TreeBuilder builder(text, source, farthest);
-  nlohmann::json::sax_parse(CountingIterator(text.data(), &farthest),
-                            CountingIterator(text.data() + text.size(), &farthest), &builder,
-                            nlohmann::json::input_format_t::json, true, true);
-  return builder.take();
-}
-
-std::vector<std::string> split_pointer(const Setting& setting) {
-  const std::string& pointer = setting.pointer;
-  if (pointer.empty() || pointer[0] != '/') {
-    throw InputError({.file = "--set"},
-                     "a pointer begins with \"/\" (/objects/0/name), got \"" + pointer + "\"");
-  }
-  std::vector<std::string> parts(1);
-  for (std::size_t i = 1; i < pointer.size(); ++i) {
-    if (pointer[i] == '/') {
-      parts.emplace_back();
-    } else if (pointer[i] == '~' && i + 1 < pointer.size() &&
-               (pointer[i + 1] == '0' || pointer[i + 1] == '1')) {
-      parts.back() += pointer[++i] == '0' ? '~' : '/';
-    } else {
-      parts.back() += pointer[i];
-    }
-  }
-  return parts;
-}
-
-void mark_as_setting(JsonValue& value, const std::string* source) {
-  value.source = source;
-  value.line = value.column = 0;
-  if (auto* array = std::get_if<JsonValue::Array>(&value.data)) {
-    for (JsonValue& item : *array) mark_as_setting(item, source);
-  } else if (auto* object = std::get_if<JsonValue::Object>(&value.data)) {
-    for (auto& [key, member] : *object) mark_as_setting(member, source);
-  }
-}
 
 }  // namespace
 
@@ -229,62 +205,20 @@ const char* kind_name(const JsonValue& value) {
   return kNames[value.data.index()];
 }
 
+JsonValue parse_json_value(const std::string& text, const std::string& source) {
+  const char* farthest = text.data();
+  TreeBuilder builder(text, source, farthest);
+  nlohmann::json::sax_parse(CountingIterator(text.data(), &farthest),
+                            CountingIterator(text.data() + text.size(), &farthest), &builder,
+                            nlohmann::json::input_format_t::json, true, true);
+  return builder.take();
+}
+
 JsonDocument parse_json(const std::string& text, const std::string& file) {
   JsonDocument document;
   document.sources.push_back(file);
-  document.root = parse_value(text, document.sources.back());
+  document.root = parse_json_value(text, document.sources.back());
   return document;
-}
-
-void apply_setting(JsonDocument& document, const Setting& setting) {
-  document.sources.emplace_back("--set");
-  const std::string* source = &document.sources.back();
-  JsonValue value;
-  try {
-    value = parse_value(setting.value, *source);
-  } catch (const InputError&) {
-    value.data = setting.value;  // not JSON: a plain string, so that no shell needs two kinds of quotes
-  }
-  mark_as_setting(value, source);
-
-  const std::vector<std::string> parts = split_pointer(setting);
-  JsonValue* at = &document.root;
-  std::string so_far;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const bool is_last = i + 1 == parts.size();
-    const std::string& part = parts[i];
-    const auto fail = [&](const std::string& problem) {
-      throw InputError({.file = "--set", .pointer = setting.pointer}, problem);
-    };
-    if (auto* object = std::get_if<JsonValue::Object>(&at->data)) {
-      const auto member = std::find_if(object->begin(), object->end(),
-                                       [&](const auto& entry) { return entry.first == part; });
-      if (member != object->end()) {
-        at = &member->second;
-      } else if (is_last) {
-        at = &object->emplace_back(part, JsonValue{}).second;
-      } else {
-        fail("there is no \"" + part + "\" in " + (so_far.empty() ? "the scene" : so_far));
-      }
-    } else if (auto* array = std::get_if<JsonValue::Array>(&at->data)) {
-      if (part == "-" && is_last) {
-        at = &array->emplace_back();
-      } else {
-        const bool is_index =
-            !part.empty() && part.size() < 10 && part.find_first_not_of("0123456789") == std::string::npos;
-        const std::size_t index = is_index ? std::stoul(part) : array->size();
-        if (index >= array->size()) {
-          fail(so_far + " has " + std::to_string(array->size()) + " entries, so \"" + part +
-               "\" is not among 0 to " + std::to_string(array->empty() ? 0 : array->size() - 1));
-        }
-        at = &(*array)[index];
-      }
-    } else {
-      fail(so_far + " is " + kind_name(*at) + " and has no \"" + part + "\"");
-    }
-    so_far += "/" + part;
-  }
-  *at = std::move(value);
 }
 
 }  // namespace sweepkit::scene

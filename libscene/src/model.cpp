@@ -35,7 +35,7 @@ auto at_place(const Place& place, Make&& make) {
   try {
     return make();
   } catch (const InputError& error) {
-    if (!error.place().file.empty()) throw;
+    if (!error.place().pointer.empty()) throw;
     throw InputError(place, error.problem());
   }
 }
@@ -94,17 +94,21 @@ Bounds bounds_of(const Scene& scene) {
 }
 
 // A three-quarter view from above that holds the sphere about everything.
-Camera framing_camera(const Scene& scene) {
-  Camera camera;
+void frame(Scene& scene) {
   const Bounds bounds = bounds_of(scene);
-  const double radius =
-      std::max(0.5 * glm::length(bounds.high - bounds.low), std::numeric_limits<double>::min());
+  const double radius = 0.5 * glm::length(bounds.high - bounds.low);
+  Camera& camera = scene.camera;
   camera.target = 0.5 * (bounds.low + bounds.high);
   const double half_height = std::tan(0.5 * camera.fov_deg * std::numbers::pi / 180);
   const double half_width = half_height * scene.width / scene.height;
   const double distance = radius / std::sin(std::atan(std::min(half_height, half_width)));
   camera.eye = camera.target + distance * glm::normalize(glm::dvec3(0.55, 0.5, 1.0));
-  return camera;
+}
+
+// From over the viewer's left shoulder.
+DirectionalLight default_light(const Camera& camera) {
+  const glm::dmat3 axes = world_from_camera(camera);
+  return {axes * glm::normalize(glm::dvec3(0.5, -0.7, -1.0)), glm::vec3(1.0f)};
 }
 
 }  // namespace
@@ -140,13 +144,9 @@ Model build(const Document& document, const Plan& plan) {
     model.ledger[Part::kTextures].bytes += texture_bytes(scene.textures.back());
     model.ledger[Part::kTextures].calls += 1;
   }
-  scene.camera = document.camera ? *document.camera : framing_camera(scene);
-  if (scene.lights.empty() && !document.has_ambient) {
-    // From over the viewer's left shoulder.
-    const glm::dvec3 forward = glm::normalize(scene.camera.target - scene.camera.eye);
-    scene.lights.push_back(
-        DirectionalLight{glm::normalize(forward + glm::dvec3(0.5, -0.7, 0.0)), glm::vec3(1.0f)});
-  }
+  scene.camera = document.camera;
+  if (!document.has_view) frame(scene);
+  if (scene.lights.empty() && !document.has_ambient) scene.lights.push_back(default_light(scene.camera));
   return model;
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "message_text.hpp"
+
 namespace sweepkit::scene {
 namespace {
 
@@ -24,9 +26,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// A key as a part of a pointer (RFC 6901).
 std::string escaped(const std::string& key) {
   std::string out;
-  for (const char c : key) {
+  for (const char c : one_line(key)) {
     if (c == '~') {
       out += "~0";
     } else if (c == '/') {
@@ -36,6 +39,10 @@ std::string escaped(const std::string& key) {
     }
   }
   return out;
+}
+
+Place to_place(const JsonPlace& place, const std::string& pointer) {
+  return {place.source != nullptr ? *place.source : "", place.line, place.column, pointer};
 }
 
 }  // namespace
@@ -56,7 +63,20 @@ std::string suggestion(std::string_view given, const std::vector<std::string>& k
       nearest = &candidate;
     }
   }
-  return nearest != nullptr ? "; did you mean \"" + *nearest + "\"?" : "";
+  return nearest != nullptr ? "; did you mean " + in_quotes(*nearest) + "?" : "";
+}
+
+std::string unknown_name(const std::string& kind, std::string_view given,
+                         const std::vector<std::string>& known) {
+  std::string text = "there is no " + kind + " " + in_quotes(given);
+  const std::string meant = suggestion(given, known);
+  if (!meant.empty()) return text + meant;
+  if (known.empty()) return text + ": the scene has none";
+  constexpr std::size_t kMost = 8;
+  for (std::size_t i = 0; i < std::min(known.size(), kMost); ++i) {
+    text += (i == 0 ? "; there is " : ", ") + in_quotes(known[i]);
+  }
+  return known.size() > kMost ? text + ", ..." : text;
 }
 
 void Node::fail(const std::string& problem) const {
@@ -64,21 +84,17 @@ void Node::fail(const std::string& problem) const {
 }
 
 Place Node::place() const {
-  return {value_->source != nullptr ? *value_->source : "", value_->line, value_->column, pointer_};
+  return to_place(value_->place, pointer_);
 }
 
 double Node::number(const Range& range) const {
   const double* number = std::get_if<double>(&value_->data);
   if (number == nullptr) fail(std::string("needs a number, got ") + kind_name(*value_));
-  const bool is_low = range.excludes_low ? *number <= range.low : *number < range.low;
-  const bool is_high = range.excludes_high ? *number >= range.high : *number > range.high;
-  if (is_low || is_high) {
+  if (*number < range.low || *number > range.high) {
     std::string limits;
-    if (std::isfinite(range.low))
-      limits += (range.excludes_low ? "above " : "at least ") + to_text(range.low);
+    if (std::isfinite(range.low)) limits = "at least " + to_text(range.low);
     if (std::isfinite(range.high)) {
-      limits += (limits.empty() ? "" : " and ") + std::string(range.excludes_high ? "below " : "at most ") +
-                to_text(range.high);
+      limits += (limits.empty() ? "" : " and ") + ("at most " + to_text(range.high));
     }
     fail("needs to be " + limits + range.unit + ", got " + to_text(*number));
   }
@@ -111,7 +127,7 @@ std::size_t Node::choice(const std::vector<std::string>& names) const {
     for (std::size_t i = 0; i < names.size(); ++i) {
       list += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + ("\"" + names[i] + "\"");
     }
-    fail("needs " + list + ", got \"" + given + "\"");
+    fail("needs " + list + ", got " + in_quotes(given));
   }
   return static_cast<std::size_t>(found - names.begin());
 }
@@ -147,41 +163,49 @@ glm::vec3 Node::color(double high) const {
   return glm::vec3(vector<3>({.low = 0, .high = high}));
 }
 
-ObjectReader::ObjectReader(const Node& node, std::string pointer)
-    : node_(node), pointer_(std::move(pointer)) {}
+ObjectReader::ObjectReader(const Node& node)
+    : node_(node), members_(std::get_if<JsonValue::Object>(&node.value().data)) {
+  if (members_ == nullptr) node.fail(std::string("needs an object, got ") + kind_name(node.value()));
+}
+
+Node ObjectReader::member(const JsonMember& of) const {
+  return {of.value, node_.pointer() + "/" + escaped(of.key)};
+}
+
+void ObjectReader::refuse(const JsonMember& unknown, const std::vector<std::string>& known) const {
+  throw InputError(to_place(unknown.key_place, member(unknown).pointer()),
+                   "unknown key " + in_quotes(unknown.key) + suggestion(unknown.key, known));
+}
 
 std::optional<Node> ObjectReader::find(const std::string& key) {
   known_.push_back(key);
-  for (const auto& [name, member] : std::get<JsonValue::Object>(node_.value().data)) {
-    if (name == key) return Node(member, pointer_ + "/" + escaped(key));
+  for (const JsonMember& candidate : *members_) {
+    if (candidate.key == key) return member(candidate);
   }
   return std::nullopt;
 }
 
 Node ObjectReader::get(const std::string& key) {
-  const std::optional<Node> member = find(key);
-  if (member) return *member;
+  const std::optional<Node> found = find(key);
+  if (found) return *found;
   // A misspelt key is more likely than a forgotten one.
-  for (const auto& [name, other] : std::get<JsonValue::Object>(node_.value().data)) {
-    const bool is_known = std::find(known_.begin(), known_.end(), name) != known_.end();
-    const std::string meant = suggestion(name, {key});
-    if (!is_known && !meant.empty())
-      Node(other, pointer_ + "/" + escaped(name)).fail("unknown key \"" + name + "\"" + meant);
+  for (const JsonMember& other : *members_) {
+    const bool is_known = std::find(known_.begin(), known_.end(), other.key) != known_.end();
+    if (!is_known && !suggestion(other.key, {key}).empty()) refuse(other, {key});
   }
-  node_.fail("needs \"" + key + "\"");
+  node_.fail("needs " + in_quotes(key));
+}
+
+std::vector<std::pair<std::string, Node>> ObjectReader::members() const {
+  std::vector<std::pair<std::string, Node>> all;
+  for (const JsonMember& each : *members_) all.emplace_back(each.key, member(each));
+  return all;
 }
 
 void ObjectReader::finish() const {
-  for (const auto& [name, member] : std::get<JsonValue::Object>(node_.value().data)) {
-    if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-    Node(member, pointer_ + "/" + escaped(name))
-        .fail("unknown key \"" + name + "\"" + suggestion(name, known_));
+  for (const JsonMember& each : *members_) {
+    if (std::find(known_.begin(), known_.end(), each.key) == known_.end()) refuse(each, known_);
   }
-}
-
-ObjectReader read_object(const Node& node) {
-  if (!node.is_object()) node.fail(std::string("needs an object, got ") + kind_name(node.value()));
-  return ObjectReader(node, node.place().pointer);
 }
 
 template glm::vec<2, double> Node::vector<2>(const Range&) const;

@@ -8,7 +8,7 @@ namespace {
 template <int D>
 std::vector<sweep::Vector<D>> read_points(const Node& node) {
   std::vector<sweep::Vector<D>> points;
-  for (const Node& item : node.items()) points.push_back(item.vector<D>());
+  for (const Node& item : node.items()) points.push_back(item.vector<D>(kCoordinate));
   return points;
 }
 
@@ -41,8 +41,8 @@ sweep::Curve<D> read_kind(const std::string& kind, const Node& node, bool is_clo
     if (ends.size() != 2) node.fail("a line needs 2 points, got " + std::to_string(ends.size()));
     return sweep::polyline<D>(ends, false);
   }
-  ObjectReader reader = read_object(node);
-  const double radius = reader.get("radius").number({.low = 0, .unit = " m", .excludes_low = true});
+  ObjectReader reader(node);
+  const double radius = reader.get("radius").number(kExtent);
   reader.finish();
   return circle<D>(radius);
 }
@@ -50,7 +50,7 @@ sweep::Curve<D> read_kind(const std::string& kind, const Node& node, bool is_clo
 template <int D>
 sweep::Curve<D> read_curve(const Node& node) {
   static const std::vector<std::string> kKinds = {"bezier", "beziers", "free", "polyline", "line", "circle"};
-  ObjectReader reader = read_object(node);
+  ObjectReader reader(node);
   std::optional<Node> chosen;
   std::string kind;
   for (const std::string& name : kKinds) {
@@ -72,8 +72,8 @@ sweep::Curve<D> read_curve(const Node& node) {
   try {
     return read_kind<D>(kind, *chosen, is_closed);
   } catch (const InputError& error) {
-    if (!error.place().file.empty()) throw;
-    chosen->fail(error.problem());  // the curve's own finding, which knows no file
+    if (!error.place().pointer.empty()) throw;
+    chosen->fail(error.problem());  // the curve's own finding, which knows no place
   }
 }
 

@@ -7,7 +7,7 @@
 namespace sweepkit::scene {
 namespace {
 
-constexpr Range kPositive{.low = 0, .high = 1e9, .excludes_low = true};
+constexpr Range kPositive{.low = 1e-9, .high = 1e9};
 
 texmap::Procedural read_procedural(const Node& kind, ObjectReader& reader) {
   texmap::Procedural procedural;
@@ -20,6 +20,8 @@ texmap::Procedural read_procedural(const Node& kind, ObjectReader& reader) {
     for (const Node& color : node->items()) procedural.colors.push_back(color.color(1));
     if (procedural.colors.size() < 2)
       node->fail("needs at least 2 colours, got " + std::to_string(procedural.colors.size()));
+    if (procedural.kind == texmap::ProceduralKind::kChecker && procedural.colors.size() > 2)
+      node->fail("a checker has 2 colours, got " + std::to_string(procedural.colors.size()));
   }
   switch (procedural.kind) {
     case texmap::ProceduralKind::kChecker:
@@ -29,10 +31,11 @@ texmap::Procedural read_procedural(const Node& kind, ObjectReader& reader) {
       break;
     case texmap::ProceduralKind::kBands:
       if (const auto node = reader.find("widths")) {
+        if (procedural.colors.empty()) node->fail("needs \"colors\" beside it, one for each width");
         for (const Node& width : node->items()) procedural.widths.push_back(width.number(kPositive));
         if (procedural.widths.size() != procedural.colors.size()) {
-          node->fail("needs one width a colour: " + std::to_string(procedural.colors.size()) + ", got " +
-                     std::to_string(procedural.widths.size()));
+          node->fail("needs one width for each of the " + std::to_string(procedural.colors.size()) +
+                     " colours, got " + std::to_string(procedural.widths.size()));
         }
       }
       break;
@@ -46,7 +49,7 @@ texmap::Procedural read_procedural(const Node& kind, ObjectReader& reader) {
 }
 
 TextureEntry read_texture(const std::string& name, const Node& node, const std::filesystem::path& folder) {
-  ObjectReader reader = read_object(node);
+  ObjectReader reader(node);
   TextureEntry entry{name, ImageEntry{}, node.place()};
   const std::optional<Node> image = reader.find("image");
   const std::optional<Node> procedural = reader.find("procedural");
@@ -72,30 +75,30 @@ TextureEntry read_texture(const std::string& name, const Node& node, const std::
 
 std::vector<TextureEntry> read_textures(const Node& node, const std::filesystem::path& folder) {
   std::vector<TextureEntry> textures;
-  ObjectReader reader = read_object(node);
-  for (const auto& [name, value] : std::get<JsonValue::Object>(node.value().data)) {
-    textures.push_back(read_texture(name, reader.get(name), folder));
+  for (const auto& [name, texture] : ObjectReader(node).members()) {
+    textures.push_back(read_texture(name, texture, folder));
   }
   return textures;
 }
 
-Material read_material(const Node& node, const std::vector<TextureEntry>& textures) {
-  ObjectReader reader = read_object(node);
-  Material material;
+Material read_material(const std::string& name, const Node& node, const std::vector<TextureEntry>& textures) {
+  ObjectReader reader(node);
+  Material material{.name = name};
   if (const auto diffuse = reader.find("diffuse")) material.diffuse = diffuse->color(1);
   if (const auto texture = reader.find("texture")) {
     const auto found = std::find_if(textures.begin(), textures.end(),
                                     [&](const TextureEntry& entry) { return entry.name == texture->text(); });
     if (found == textures.end()) {
       std::vector<std::string> names;
+      names.reserve(textures.size());
       for (const TextureEntry& entry : textures) names.push_back(entry.name);
-      texture->fail("there is no texture \"" + texture->text() + "\"" + suggestion(texture->text(), names));
+      texture->fail(unknown_name("texture", texture->text(), names));
     }
     material.texture = static_cast<std::size_t>(found - textures.begin());
   }
   if (const auto specular = reader.find("specular")) material.specular = specular->color(1);
   if (const auto shininess = reader.find("shininess")) {
-    material.shininess = static_cast<float>(shininess->number({.low = 0, .high = 1e6, .excludes_low = true}));
+    material.shininess = static_cast<float>(shininess->number({.low = 0, .high = 1e6}));
   }
   if (const auto reflect = reader.find("reflect"))
     material.reflect = static_cast<float>(reflect->number({.low = 0, .high = 1}));
@@ -104,17 +107,17 @@ Material read_material(const Node& node, const std::vector<TextureEntry>& textur
 }
 
 Light read_light(const Node& node) {
-  ObjectReader reader = read_object(node);
+  ObjectReader reader(node);
   const std::optional<Node> point = reader.find("point");
   const std::optional<Node> directional = reader.find("directional");
   glm::vec3 intensity(1.0f);
   if (const auto value = reader.find("intensity")) intensity = value->color();
   reader.finish();
   if (point && directional) directional->fail("a light is \"point\" or \"directional\", not both");
-  if (point) return PointLight{point->vector<3>(), intensity};
+  if (point) return PointLight{point->vector<3>(kCoordinate), intensity};
   if (!directional) node.fail("needs \"point\" or \"directional\"");
-  const glm::dvec3 direction = directional->vector<3>();
-  if (direction == glm::dvec3(0.0)) directional->fail("needs a direction that is not zero");
+  const glm::dvec3 direction = directional->vector<3>(kCoordinate);
+  if (glm::length(direction) < kExtent.low) directional->fail("needs a direction that is not zero");
   return DirectionalLight{direction, intensity};
 }
 

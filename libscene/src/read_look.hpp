@@ -13,7 +13,7 @@ namespace sweepkit::scene {
 
 /// How things look: textures, materials, lights.
 std::vector<TextureEntry> read_textures(const Node& node, const std::filesystem::path& folder);
-Material read_material(const Node& node, const std::vector<TextureEntry>& textures);
+Material read_material(const std::string& name, const Node& node, const std::vector<TextureEntry>& textures);
 Light read_light(const Node& node);
 
 }  // namespace sweepkit::scene

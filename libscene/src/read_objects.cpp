@@ -3,19 +3,25 @@
 #include "read_objects.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
+#include "message_text.hpp"
 #include "read_curve.hpp"
 
 namespace sweepkit::scene {
 namespace {
 
+constexpr Range kAngle{.low = -1e9, .high = 1e9, .unit = " degrees"};
+constexpr Range kScale{.low = -1e9, .high = 1e9};
+
 Placement read_placement(ObjectReader& reader) {
   Placement placement;
-  if (const auto node = reader.find("translate")) placement.translate = node->vector<3>();
-  if (const auto node = reader.find("rotate_deg")) placement.rotate_deg = node->vector<3>();
+  if (const auto node = reader.find("translate")) placement.translate = node->vector<3>(kCoordinate);
+  if (const auto node = reader.find("rotate_deg")) placement.rotate_deg = node->vector<3>(kAngle);
   if (const auto node = reader.find("scale")) {
-    placement.scale = node->is_number() ? glm::dvec3(node->number()) : node->vector<3>();
-    if (placement.scale.x == 0 || placement.scale.y == 0 || placement.scale.z == 0) {
+    placement.scale = node->is_number() ? glm::dvec3(node->number(kScale)) : node->vector<3>(kScale);
+    const glm::dvec3 size = glm::abs(placement.scale);
+    if (std::min({size.x, size.y, size.z}) < kExtent.low) {
       node->fail("needs factors other than 0, which would flatten the object");
     }
   }
@@ -31,7 +37,7 @@ struct Manner {
 
 void read_manner(ObjectReader& reader, Manner& manner) {
   if (const auto node = reader.find("tessellation")) {
-    ObjectReader cells = read_object(*node);
+    ObjectReader cells(*node);
     sweep::Tessellation tessellation = manner.tessellation.value_or(sweep::Tessellation{});
     if (const auto contour = cells.find("contour"))
       tessellation.contour = contour->integer(1, sweep::kMaxCells, " cells");
@@ -41,7 +47,7 @@ void read_manner(ObjectReader& reader, Manner& manner) {
     manner.tessellation = tessellation;
   }
   if (const auto node = reader.find("uv")) {
-    ObjectReader uv = read_object(*node);
+    ObjectReader uv(*node);
     if (const auto by = uv.find("by")) {
       manner.uv.by =
           by->choice({"arc-length", "parameter"}) == 0 ? sweep::UvBy::kArcLength : sweep::UvBy::kParameter;
@@ -61,7 +67,7 @@ sweep::Caps read_caps(ObjectReader& reader) {
 }
 
 SweepShape read_sweep(const Node& node) {
-  ObjectReader reader = read_object(node);
+  ObjectReader reader(node);
   const Node contour = reader.get("contour");
   const Node trajectory = reader.get("trajectory");
   const sweep::Caps caps = read_caps(reader);
@@ -70,11 +76,11 @@ SweepShape read_sweep(const Node& node) {
 }
 
 RevolveShape read_revolve(const Node& node) {
-  ObjectReader reader = read_object(node);
+  ObjectReader reader(node);
   const Node contour = reader.get("contour");
   double angle = 360;
   if (const auto angle_node = reader.find("angle_deg")) {
-    angle = angle_node->number({.low = 0, .high = 360, .unit = " degrees", .excludes_low = true});
+    angle = angle_node->number({.low = 1e-6, .high = 360, .unit = " degrees"});
   }
   const sweep::Caps caps = read_caps(reader);
   reader.finish();
@@ -82,11 +88,10 @@ RevolveShape read_revolve(const Node& node) {
 }
 
 PlaneShape read_plane(const Node& node) {
-  ObjectReader reader = read_object(node);
+  ObjectReader reader(node);
   PlaneShape plane;
   const Node size = reader.get("size");
-  plane.size = size.vector<2>({.low = 0, .unit = " m"});
-  if (!(plane.size.x > 0 && plane.size.y > 0)) size.fail("needs to be above 0 m both ways");
+  plane.size = size.vector<2>(kExtent);
   reader.finish();
   return plane;
 }
@@ -117,7 +122,7 @@ void set_manner(Piece& piece, const Manner& manner) {
 }
 
 Piece read_part(const Node& node, Manner manner) {
-  ObjectReader reader = read_object(node);
+  ObjectReader reader(node);
   const Placement placement = read_placement(reader);
   read_manner(reader, manner);
   std::optional<Piece> piece = read_shape(reader);
@@ -129,7 +134,7 @@ Piece read_part(const Node& node, Manner manner) {
 }
 
 ObjectEntry read_one(const Node& node, const std::vector<Material>& materials) {
-  ObjectReader reader = read_object(node);
+  ObjectReader reader(node);
   ObjectEntry object;
   object.place = node.place();
   const Node name = reader.get("name");
@@ -140,9 +145,9 @@ ObjectEntry read_one(const Node& node, const std::vector<Material>& materials) {
                                     [&](const Material& entry) { return entry.name == material->text(); });
     if (found == materials.end()) {
       std::vector<std::string> names;
+      names.reserve(materials.size());
       for (const Material& entry : materials) names.push_back(entry.name);
-      material->fail("there is no material \"" + material->text() + "\"" +
-                     suggestion(material->text(), names));
+      material->fail(unknown_name("material", material->text(), names));
     }
     object.material = static_cast<std::size_t>(found - materials.begin());
   }
@@ -168,13 +173,13 @@ ObjectEntry read_one(const Node& node, const std::vector<Material>& materials) {
 
 std::vector<ObjectEntry> read_objects(const Node& node, const std::vector<Material>& materials) {
   std::vector<ObjectEntry> objects;
+  std::unordered_set<std::string> names;
   for (const Node& item : node.items()) {
     objects.push_back(read_one(item, materials));
-    const auto same = std::find_if(objects.begin(), objects.end() - 1, [&](const ObjectEntry& other) {
-      return other.name == objects.back().name;
-    });
-    if (same != objects.end() - 1)
-      item.fail("the name \"" + same->name + "\" is taken by an object before; choose another");
+    if (!names.insert(objects.back().name).second) {
+      item.fail("the name " + in_quotes(objects.back().name) +
+                " is taken by an object before; choose another");
+    }
   }
   if (objects.empty()) node.fail("needs at least one object");
   return objects;

@@ -13,4 +13,9 @@ struct Camera {
   double fov_deg = 40;  ///< vertical
 };
 
+/// The camera's axes as columns: right, up, and back towards the eye (it looks along -Z, as glTF's does).
+/// Where it looks along `up` itself the picture's top is -Z, or +Y where the view is along -Z or +Z.
+/// Precondition: eye and target differ, up is not zero.
+glm::dmat3 world_from_camera(const Camera& camera);
+
 }  // namespace sweepkit::scene

@@ -81,8 +81,9 @@ struct TextureEntry {
 /// A scene file, read and checked: every key known, every number in range, every name found, every curve
 /// sound. Only the files it names are unread.
 struct Document {
-  std::optional<Camera> camera;
-  int width = 512;  ///< pixels, from the camera
+  Camera camera;          ///< without has_view its eye and target are build()'s to find
+  bool has_view = false;  ///< the scene file says where the camera stands
+  int width = 512;        ///< pixels, from the camera
   int height = 512;
   glm::vec3 background{0.0f};
   glm::vec3 ambient{0.0f};
