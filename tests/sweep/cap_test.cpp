@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "cap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+
+namespace sweepkit::sweep {
+namespace {
+
+// Covers the polygon once: the right count, every vertex, no negative or zero area, and the areas sum to the
+// whole.
+void expect_covers(const std::vector<glm::dvec2>& polygon) {
+  const std::vector<Triangle> triangles = triangulate_polygon(polygon);
+  ASSERT_EQ(triangles.size(), polygon.size() - 2);
+  double sum = 0;
+  std::set<std::uint32_t> used;
+  for (const Triangle& t : triangles) {
+    const std::vector<glm::dvec2> corners = {polygon[t[0]], polygon[t[1]], polygon[t[2]]};
+    const double area = twice_signed_area(corners);
+    EXPECT_GT(area, 0);
+    sum += area;
+    used.insert(t.begin(), t.end());
+  }
+  EXPECT_EQ(used.size(), polygon.size());
+  const double whole = twice_signed_area(polygon);
+  EXPECT_NEAR(sum, whole, 1e-9 * whole);
+}
+
+TEST(Cap, CoversConvexOutlinesOfEverySize) {
+  for (int n = 3; n < 200; ++n) {
+    std::vector<glm::dvec2> circle;
+    for (int i = 0; i < n; ++i)
+      circle.push_back({std::cos(2 * std::numbers::pi * i / n), std::sin(2 * std::numbers::pi * i / n)});
+    expect_covers(circle);
+  }
+}
+
+TEST(Cap, CoversASquareWithManyPointsOnItsSides) {
+  std::vector<glm::dvec2> square;
+  for (int i = 0; i < 10; ++i) square.push_back({i / 10.0, 0});
+  for (int i = 0; i < 10; ++i) square.push_back({1, i / 10.0});
+  for (int i = 0; i < 10; ++i) square.push_back({1 - i / 10.0, 1});
+  for (int i = 0; i < 10; ++i) square.push_back({0, 1 - i / 10.0});
+  expect_covers(square);
+}
+
+TEST(Cap, CoversStarsAndCombs) {
+  std::vector<glm::dvec2> star;
+  for (int i = 0; i < 40; ++i) {
+    const double r = i % 2 == 0 ? 1 : 0.3;
+    star.push_back(
+        {r * std::cos(2 * std::numbers::pi * i / 40), r * std::sin(2 * std::numbers::pi * i / 40)});
+  }
+  expect_covers(star);
+  std::vector<glm::dvec2> comb = {{0, 0}, {20, 0}};
+  for (int i = 20; i > 0; --i) {
+    comb.push_back({i - 0.2, 5});
+    comb.push_back({i - 0.8, 1});
+  }
+  expect_covers(comb);
+}
+
+TEST(Cap, CoversRandomStarShapedOutlines) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> radius(0.05, 1);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<glm::dvec2> outline;
+    const int n = 5 + round % 60;
+    for (int i = 0; i < n; ++i) {
+      const double r = radius(random);
+      outline.push_back(
+          {r * std::cos(2 * std::numbers::pi * i / n), r * std::sin(2 * std::numbers::pi * i / n)});
+    }
+    expect_covers(outline);
+  }
+}
+
+}  // namespace
+}  // namespace sweepkit::sweep
