@@ -15,8 +15,6 @@
 namespace sweepkit::tools {
 namespace {
 
-constexpr int kMostTexels = 32768;  // a side, as texmap::bake() has it
-
 struct Bake {
   SceneInput input;
   Output output;
@@ -41,7 +39,7 @@ void bake(const Bake& command) {
   scene::check_output(output.file);
   texmap::BakeOptions options;
   if (!command.size.empty()) {
-    const PixelSize size = parse_size(command.size, kMostTexels);
+    const PixelSize size = parse_size(command.size);
     options = {size.width, size.height};
   }
   scene::Document document = read_scene(command.input);

@@ -18,7 +18,7 @@
 namespace sweepkit::tools {
 namespace {
 
-constexpr int kMostTexels = 32768;  // a side, as texmap::bake() has it
+constexpr int kMostTexels = 16384;  // a side: kMostPixels in all
 
 struct Generate {
   SceneInput input;

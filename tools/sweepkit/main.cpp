@@ -15,6 +15,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "memory.hpp"
 #include "sweepkit/error.hpp"
 
 namespace {
@@ -73,6 +74,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   sweepkit::tools::handle_interrupts();
+  sweepkit::tools::limit_memory();
   try {
     return run(argc, argv);
   } catch (const sweepkit::InputError& error) {

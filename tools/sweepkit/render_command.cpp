@@ -18,7 +18,6 @@
 namespace sweepkit::tools {
 namespace {
 
-constexpr int kMostPixels = 65536;  // a side, as the scene's camera has it
 constexpr int kMostThreads = 1024;
 constexpr int kDeepest = 64;  // as the scene's "depth" has it
 
@@ -53,9 +52,14 @@ void check_names(const Render& command) {
 scene::Document read_document(const Render& command) {
   scene::Document document = read_scene(command.input);
   if (!command.size.empty()) {
-    const PixelSize size = parse_size(command.size, kMostPixels);
+    const PixelSize size = parse_size(command.size);
     document.width = size.width;
     document.height = size.height;
+  }
+  if (std::int64_t{document.width} * document.height > kMostPixels) {
+    throw InputError({.file = command.input.file, .pointer = "/camera"},
+                     "needs at most 2^28 pixels, got " + std::to_string(document.width) + " x " +
+                         std::to_string(document.height) + "; give a smaller --size");
   }
   if (command.depth >= 0) document.depth = command.depth;
   return document;
@@ -136,8 +140,9 @@ void add_render(CLI::App& app) {
                  "Textures: the texel at the hit, or the mean over its neighbours' box (integral-1)")
       ->capture_default_str()
       ->check(CLI::IsMember({"point", "integral-1"}));
-  sub.add_option("--footprint", command->footprint,
-                 "What the filter covers: the neighbours' box, two pixels wide (the paper's), or auto, one pixel")
+  sub.add_option(
+         "--footprint", command->footprint,
+         "What the filter covers: the neighbours' box, two pixels wide (the paper's), or auto, one pixel")
       ->capture_default_str()
       ->check(CLI::IsMember({"neighbours", "auto"}));
   sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")

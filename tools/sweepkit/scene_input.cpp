@@ -47,16 +47,21 @@ void keep_object(scene::Document& document, const std::string& name) {
   document.objects.push_back(std::move(kept));
 }
 
-PixelSize parse_size(const std::string& text, int most) {
+PixelSize parse_size(const std::string& text) {
   PixelSize size;
   const char* const end = text.data() + text.size();
   const auto width = std::from_chars(text.data(), end, size.width);
   const bool has_cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
   const auto height = has_cross ? std::from_chars(width.ptr + 1, end, size.height) : width;
   const bool is_read = has_cross && height.ec == std::errc() && height.ptr == end;
-  if (!is_read || size.width < 1 || size.height < 1 || size.width > most || size.height > most) {
-    throw InputError({.file = "--size"}, "needs WIDTHxHEIGHT in pixels, each 1 to " + std::to_string(most) +
-                                             ", such as 640x480, got \"" + text + "\"");
+  if (!is_read || size.width < 1 || size.height < 1 || size.width > kLongestSide ||
+      size.height > kLongestSide) {
+    throw InputError({.file = "--size"}, "needs WIDTHxHEIGHT in pixels, each 1 to " +
+                                             std::to_string(kLongestSide) + ", such as 640x480, got \"" +
+                                             text + "\"");
+  }
+  if (std::int64_t{size.width} * size.height > kMostPixels) {
+    throw InputError({.file = "--size"}, "needs at most 2^28 pixels (16384x16384), got " + text);
   }
   return size;
 }

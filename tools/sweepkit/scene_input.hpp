@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,12 @@ struct PixelSize {
   int height = 0;
 };
 
-/// "640x480". Throws InputError naming --size: not two whole numbers, or a side not in 1 to `most`.
-PixelSize parse_size(const std::string& text, int most);
+/// Pixels of a picture or texels of a baked texture: 16384 x 16384.
+inline constexpr std::int64_t kMostPixels = std::int64_t{1} << 28;
+inline constexpr int kLongestSide = 32768;
+
+/// "640x480". Throws InputError naming --size: not two whole numbers, a side not in 1 to kLongestSide, or
+/// more than kMostPixels.
+PixelSize parse_size(const std::string& text);
 
 }  // namespace sweepkit::tools
