@@ -13,6 +13,7 @@
 #include <string>
 
 #include "gauss_legendre.hpp"
+#include "number_text.hpp"
 #include "sweepkit/error.hpp"
 
 namespace sweepkit::sweep {
@@ -88,7 +89,7 @@ Curve<D>::Curve(std::vector<Segment<D>> segments) : segments_(std::move(segments
     const double gap = glm::length(sweep::evaluate<D>(segments_[i], 0).position -
                                    sweep::evaluate<D>(segments_[i - 1], 1).position);
     if (gap > kMeetTolerance * size) {
-      throw InputError("segment " + std::to_string(i) + " begins " + std::to_string(gap) +
+      throw InputError("segment " + std::to_string(i) + " begins " + number_text(gap) +
                        " m from where segment " + std::to_string(i - 1) + " ends; let it begin there");
     }
   }

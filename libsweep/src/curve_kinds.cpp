@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "number_text.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/sweep/curve.hpp"
 
@@ -24,7 +25,7 @@ void check_count(std::size_t count, std::size_t least, const char* what) {
 
 void check_radius(double radius) {
   if (!(radius > 0) || !std::isfinite(radius)) {
-    throw InputError("radius needs to be above 0 m, got " + std::to_string(radius));
+    throw InputError("radius needs to be above 0 m, got " + number_text(radius));
   }
 }
 

@@ -90,8 +90,9 @@ glm::dvec3 choose_origin(const glm::dvec3& low, const glm::dvec3& high) {
   if (!(extent > 0) || !std::isfinite(extent)) return glm::dvec3(0.0);
   const double step = std::exp2(std::ceil(std::log2(extent)));
   const glm::dvec3 middle = 0.5 * (low + high);
-  return {step * std::nearbyint(middle.x / step), step * std::nearbyint(middle.y / step),
-          step * std::nearbyint(middle.z / step)};
+  // Adding 0 turns -0 into 0.
+  return {step * std::nearbyint(middle.x / step) + 0.0, step * std::nearbyint(middle.y / step) + 0.0,
+          step * std::nearbyint(middle.z / step) + 0.0};
 }
 
 }  // namespace sweepkit::sweep

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <string>
 
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
+#include "number_text.hpp"
+#include "stations.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/sweep/sweep.hpp"
 
@@ -13,9 +14,10 @@ namespace sweepkit::sweep {
 Mesh plane(glm::dvec2 size, const PlaneOptions& options) {
   check_cells(options.tessellation.contour, "x");
   check_cells(options.tessellation.trajectory, "z");
+  check_texture(options.uv);
   if (!(size.x > 0 && size.y > 0) || !std::isfinite(size.x) || !std::isfinite(size.y)) {
-    throw InputError("size needs to be above 0 m both ways, got " + std::to_string(size.x) + " x " +
-                     std::to_string(size.y));
+    throw InputError("size needs to be above 0 m both ways, got " + number_text(size.x) + " x " +
+                     number_text(size.y));
   }
   const auto columns = static_cast<std::size_t>(options.tessellation.contour);
   const auto rows = static_cast<std::size_t>(options.tessellation.trajectory);

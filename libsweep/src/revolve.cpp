@@ -4,6 +4,8 @@
 // A contour (r, h) turned about +Y: S(a, s) = (r cos a, h, -r sin a). The normal is the contour's own
 // right-hand normal (h', -r') turned along; it needs no radius, so it is finite and right at a pole too.
 
+#include "sweepkit/sweep/sweep.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,9 +13,9 @@
 #include "cap.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
+#include "number_text.hpp"
 #include "section.hpp"
 #include "sweepkit/error.hpp"
-#include "sweepkit/sweep/sweep.hpp"
 #include "whole_angle.hpp"
 
 namespace sweepkit::sweep {
@@ -28,11 +30,14 @@ void snap_to_axis(Section& section) {
   for (SectionPoint& point : section.points) {
     if (std::abs(point.position.x) <= kOnAxis * size) point.position.x = 0;
     if (point.position.x < 0) {
-      throw InputError("crosses the axis: x is " + std::to_string(point.position.x) + " m at height " +
-                       std::to_string(point.position.y) + " m; keep x, the distance from it, at 0 or above");
+      throw InputError("contour crosses the axis: x is " + number_text(point.position.x) + " m at height " +
+                       number_text(point.position.y) + " m; keep x, the distance from it, at 0 or above");
     }
   }
-  if (!(size > 0)) throw InputError("lies on the axis; move it away from x = 0");
+  if (!(size > 0)) {
+    throw InputError("contour has all its " + std::to_string(section.points.size()) +
+                     " vertices on the axis; move it away from x = 0 or give it more cells");
+  }
 }
 
 void add_cap(Mesh& mesh, const Section& section, double angle_deg, bool is_first) {
@@ -73,15 +78,12 @@ Mesh revolve(const Curve2& contour, const RevolveOptions& options) {
   check_cells(options.tessellation.contour, "contour");
   check_cells(options.tessellation.trajectory, "turn");
   if (!(options.angle_deg > 0 && options.angle_deg <= 360)) {
-    throw InputError("angle_deg needs to be above 0 and at most 360, got " +
-                     std::to_string(options.angle_deg));
+    throw InputError("angle_deg needs to be above 0 and at most 360, got " + number_text(options.angle_deg));
   }
   const bool is_whole = options.angle_deg == 360;
   const int columns = options.tessellation.trajectory;
-  if (is_whole && columns < 3) {
-    throw InputError("tessellation along the turn needs at least 3 cells for a whole turn, got " +
-                     std::to_string(columns));
-  }
+  if (is_whole) check_loop(static_cast<std::size_t>(columns), "the whole turn");
+  check_texture(options.uv);
   Section section = make_section(contour, options.tessellation.contour, options.crease_deg, options.uv.by);
   snap_to_axis(section);
 
@@ -114,7 +116,9 @@ Mesh revolve(const Curve2& contour, const RevolveOptions& options) {
   std::vector<CosSin> turn;
   std::vector<float> u;
   for (int i = 0; i <= columns; ++i) {
-    turn.push_back(cos_sin_deg(i == columns ? options.angle_deg : options.angle_deg * i / columns));
+    turn.push_back(is_whole       ? cos_sin_turn(i, columns)
+                   : i == columns ? cos_sin_deg(options.angle_deg)
+                                  : cos_sin_deg(options.angle_deg * i / columns));
     u.push_back(static_cast<float>(options.uv.repeat.x * i / columns));
   }
   const std::span<glm::vec3> positions = mesh.positions();

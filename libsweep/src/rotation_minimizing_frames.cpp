@@ -10,7 +10,6 @@
 
 #include "rotation_minimizing_frames.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace sweepkit::sweep {
@@ -41,26 +40,20 @@ Frame turned(const Frame& frame, double angle) {
   return {n, glm::cross(frame.tangent, n), frame.tangent};
 }
 
-TangentPoint at(const Curve3& trajectory, CurveLocation location) {
-  return {trajectory.evaluate(location).position, trajectory.tangent(location)};
-}
-
-// From where the curve leaves one station to where it arrives at the next. Both stand in one smooth piece.
-// The steps are even in the parameter, which the method does not mind and which costs no arc length.
-glm::dvec3 carry(const Curve3& trajectory, const Station& from, const Station& to, const glm::dvec3& normal) {
-  const TangentPoint first = at(trajectory, from.out);
-  const TangentPoint last = at(trajectory, to.in);
-  const double start = static_cast<double>(from.out.segment) + from.out.t;
-  const double end = static_cast<double>(to.in.segment) + to.in.t;
+// The normal carried along one segment from parameter `from` to `to`. The steps are even in the parameter,
+// which the method does not mind and which costs no arc length.
+glm::dvec3 carry_along_segment(const Segment<3>& segment, double from, double to, const glm::dvec3& normal) {
+  const auto point = [&](double t) {
+    return TangentPoint{evaluate<3>(segment, t).position, tangent<3>(segment, t)};
+  };
+  const TangentPoint first = point(from);
+  const TangentPoint last = point(to);
   glm::dvec3 previous = double_reflection(normal, first, last);
   for (int steps = 2; steps <= kMaxSubsteps; steps *= 2) {
     glm::dvec3 carried = normal;
     TangentPoint here = first;
     for (int i = 1; i <= steps; ++i) {
-      const double parameter = start + (end - start) * i / steps;
-      const double segment = std::min(std::floor(parameter), static_cast<double>(to.in.segment));
-      const TangentPoint next =
-          i == steps ? last : at(trajectory, {static_cast<std::size_t>(segment), parameter - segment});
+      const TangentPoint next = i == steps ? last : point(from + (to - from) * i / steps);
       carried = double_reflection(carried, here, next);
       here = next;
     }
@@ -69,6 +62,18 @@ glm::dvec3 carry(const Curve3& trajectory, const Station& from, const Station& t
     if (agrees) break;
   }
   return previous;
+}
+
+// From where the curve leaves one station to where it arrives at the next. Both stand in one smooth piece,
+// but the curvature may jump between its segments: no step goes across such a joint, or the order would be
+// lost.
+glm::dvec3 carry(const Curve3& trajectory, const Station& from, const Station& to, glm::dvec3 normal) {
+  for (std::size_t index = from.out.segment; index <= to.in.segment; ++index) {
+    const double start = index == from.out.segment ? from.out.t : 0;
+    const double end = index == to.in.segment ? to.in.t : 1;
+    if (start < end) normal = carry_along_segment(trajectory.segments()[index], start, end, normal);
+  }
+  return normal;
 }
 
 }  // namespace

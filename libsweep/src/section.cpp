@@ -2,10 +2,46 @@
 // SPDX-License-Identifier: MIT
 #include "section.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "cap.hpp"
+#include "number_text.hpp"
+#include "sweepkit/error.hpp"
 #include "whole_angle.hpp"
 
 namespace sweepkit::sweep {
+namespace {
+
+// A loop this thin, as a share of its length, is a line drawn forth and back: what width it has is rounding.
+constexpr double kThinnest = 1e-12;
+
+void check_outline(const std::vector<glm::dvec2>& outline) {
+  check_loop(outline.size(), "contour");
+  glm::dvec2 across{0.0};  // from the first point to the farthest
+  for (const glm::dvec2& p : outline) {
+    if (glm::length(p - outline.front()) > glm::length(across)) across = p - outline.front();
+  }
+  double width = 0;
+  for (const glm::dvec2& p : outline) {
+    const glm::dvec2 d = p - outline.front();
+    width = std::max(width, std::abs(across.x * d.y - across.y * d.x));
+  }
+  if (!(width > kThinnest * glm::dot(across, across))) {
+    throw InputError(
+        "closed contour lies on one straight line and encloses nothing; open it or move a point aside");
+  }
+}
+
+}  // namespace
+
+double crease_cosine(double crease_deg) {
+  if (!(crease_deg >= 0 && crease_deg <= 180)) {
+    throw InputError("crease_deg needs to be 0 to 180, got " + number_text(crease_deg));
+  }
+  return cos_sin_deg(crease_deg).cos;
+}
 
 Section make_section(const Curve2& contour, int cells, double crease_deg, UvBy by) {
   std::vector<Station> stations = place_stations(contour, cells);
@@ -16,19 +52,23 @@ Section make_section(const Curve2& contour, int cells, double crease_deg, UvBy b
     std::vector<glm::dvec2> outline;
     for (const Station& station : stations) outline.push_back(contour.evaluate(station.out).position);
     outline.pop_back();
+    check_outline(outline);
     if (twice_signed_area(outline) < 0) {
       stations = reversed(contour, std::move(stations));
       direction = -1;
     }
   }
   section.fractions = texture_fractions(stations, by);
-  const double crease_cos = cos_sin_deg(crease_deg).cos;
+  const double crease_cos = crease_cosine(crease_deg);
   for (const Station& station : stations) {
     SectionPoint point{contour.evaluate(station.out).position, direction * contour.tangent(station.in),
                        direction * contour.tangent(station.out)};
-    const bool breaks = station.is_corner && glm::dot(point.tangent_in, point.tangent_out) < crease_cos;
+    const glm::dvec2 both = point.tangent_in + point.tangent_out;
+    // A contour that turns right back has no direction between: it breaks whatever the crease angle.
+    const bool breaks = station.is_corner && (glm::dot(point.tangent_in, point.tangent_out) < crease_cos ||
+                                              glm::length(both) < 1e-6);
     if (station.is_corner && !breaks) {
-      point.tangent_in = point.tangent_out = glm::normalize(point.tangent_in + point.tangent_out);
+      point.tangent_in = point.tangent_out = glm::normalize(both);
     } else if (!station.is_corner) {
       point.tangent_in = point.tangent_out;
     }

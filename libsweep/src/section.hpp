@@ -26,6 +26,12 @@ struct Section {
   bool is_closed = false;
 };
 
+/// Throws InputError for a contour that lies on one line or has too few cells to enclose anything, and for a
+/// crease angle that is none.
 Section make_section(const Curve2& contour, int cells, double crease_deg, UvBy by);
+
+/// Two directions whose product is below this bend by more than `crease_deg`. Throws InputError unless 0 <=
+/// crease_deg <= 180.
+double crease_cosine(double crease_deg);
 
 }  // namespace sweepkit::sweep

@@ -5,7 +5,11 @@
 // Bezier segments by de Casteljau's corner cutting: only convex combinations, so the error stays at a few
 // units in the last place times the condition number at any degree. Its last three levels give the
 // derivatives.
+// The direction at a point where the speed is 0: near t + h the curve moves along h S'', so S'' leads on from
+// there and -S'' led to it; where S'' is 0 as well, a short chord stands in.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -17,8 +21,13 @@ namespace {
 
 template <int D>
 CurvePoint<D> evaluate_segment(const BezierSegment<D>& segment, double t) {
-  std::vector<Vector<D>> level = segment.control;
-  const std::size_t degree = level.size() - 1;
+  // Degrees in common use need no memory of their own: curves are measured by evaluating them often.
+  constexpr std::size_t kCommonSize = 16;
+  const std::size_t degree = segment.control.size() - 1;
+  std::array<Vector<D>, kCommonSize> common;
+  std::vector<Vector<D>> large(degree < kCommonSize ? 0 : degree + 1);
+  Vector<D>* level = degree < kCommonSize ? common.data() : large.data();
+  std::copy(segment.control.begin(), segment.control.end(), level);
   const auto n = static_cast<double>(degree);
   CurvePoint<D> point{Vector<D>(0.0), Vector<D>(0.0), Vector<D>(0.0)};
   for (std::size_t left = degree; left > 0; --left) {
@@ -51,14 +60,15 @@ Vector<D> tangent(const Segment<D>& segment, double t) {
   const CurvePoint<D> here = evaluate<D>(segment, t);
   const double scale = glm::length(here.second) +
                        glm::length(evaluate<D>(segment, t < 0.5 ? 1.0 : 0.0).position - here.position);
+  // A derivative below a 1e-9 share of the segment's size has lost its direction to rounding.
   const double speed = glm::length(here.first);
-  // Below a 1e-9 share of the segment's size the direction of the derivative is rounding: take the chord's
-  // instead.
   if (speed > 1e-9 * scale) return here.first / speed;
-  for (double step = 1e-6; step <= 1.0; step *= 4) {
-    const bool is_backward = t + step > 1;
-    const double other = is_backward ? t - step : t + step;
-    if (other < 0) break;
+  // Still slowing down: the point of rest is ahead.
+  const bool is_backward = t == 1 || glm::dot(here.first, here.second) < 0;
+  const double bend = glm::length(here.second);
+  if (bend > 1e-6 * scale) return (is_backward ? -here.second : here.second) / bend;
+  for (double step = 1e-5; step <= 1.0; step *= 4) {
+    const double other = is_backward ? std::max(0.0, t - step) : std::min(1.0, t + step);
     Vector<D> chord = evaluate<D>(segment, other).position - here.position;
     if (is_backward) chord = -chord;
     const double length = glm::length(chord);

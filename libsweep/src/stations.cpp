@@ -4,41 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <queue>
 #include <string>
+#include <utility>
 
+#include "number_text.hpp"
 #include "sweepkit/error.hpp"
 
 namespace sweepkit::sweep {
 namespace {
 
-// `cells` shared by length: one each, the rest by largest remainder, ties to the earlier piece.
+// `cells` shared by length, at least one each: one after the other goes to the piece whose cells are longest
+// at the time (Adams' method of apportionment; ties to the earlier piece). No other share leaves the longest
+// cell shorter, and where cells of one length fit every piece, they are what comes out.
 std::vector<int> share_cells(const std::vector<double>& lengths, int cells) {
-  const double total = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   std::vector<int> share(lengths.size(), 1);
-  const int pieces = static_cast<int>(lengths.size());
-  for (int spare = cells - pieces; spare > 0; --spare) {
-    // Give one to the piece whose cells are longest now: the result is that of sharing by length, without
-    // ever leaving a piece bare.
-    if (spare > 4 * pieces) {
-      const int batch = spare - 2 * pieces;
-      int given = 0;
-      for (std::size_t i = 0; i < lengths.size(); ++i) {
-        const int fair = static_cast<int>(std::floor(lengths[i] / total * (cells - pieces)));
-        const int extra = std::clamp(fair - share[i], 0, batch - given);
-        share[i] += extra;
-        given += extra;
-      }
-      if (given > 0) {
-        spare -= given - 1;
-        continue;
-      }
-    }
-    std::size_t longest = 0;
-    for (std::size_t i = 1; i < lengths.size(); ++i) {
-      if (lengths[i] / share[i] > lengths[longest] / share[longest]) longest = i;
-    }
-    ++share[longest];
+  using Entry = std::pair<double, std::size_t>;  // (length of a cell, piece)
+  const auto is_after = [](const Entry& a, const Entry& b) {
+    return a.first != b.first ? a.first < b.first : a.second > b.second;
+  };
+  std::priority_queue<Entry, std::vector<Entry>, decltype(is_after)> longest(is_after);
+  for (std::size_t i = 0; i < lengths.size(); ++i) longest.push({lengths[i], i});
+  for (int spare = cells - static_cast<int>(lengths.size()); spare > 0; --spare) {
+    const std::size_t piece = longest.top().second;
+    longest.pop();
+    ++share[piece];
+    longest.push({lengths[piece] / share[piece], piece});
   }
   return share;
 }
@@ -95,6 +86,13 @@ std::vector<Station> place_stations(const Curve<D>& curve, int cells) {
   return stations;
 }
 
+void check_loop(std::size_t cells, const char* what) {
+  if (cells < 3) {
+    throw InputError(std::string(what) + " is closed and needs at least 3 cells, got " +
+                     std::to_string(cells));
+  }
+}
+
 template <int D>
 std::vector<Station> reversed(const Curve<D>& curve, std::vector<Station> stations) {
   std::reverse(stations.begin(), stations.end());
@@ -119,6 +117,13 @@ void check_cells(int cells, const char* along) {
   if (cells < 1 || cells > kMaxCells) {
     throw InputError("tessellation along the " + std::string(along) + " needs 1 to " +
                      std::to_string(kMaxCells) + " cells, got " + std::to_string(cells));
+  }
+}
+
+void check_texture(const UvOptions& uv) {
+  if (!std::isfinite(uv.repeat.x) || !std::isfinite(uv.repeat.y)) {
+    throw InputError("uv repeat needs two finite numbers, got " + number_text(uv.repeat.x) + " and " +
+                     number_text(uv.repeat.y));
   }
 }
 

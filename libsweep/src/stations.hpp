@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "sweepkit/sweep/curve.hpp"
@@ -30,6 +31,12 @@ std::vector<Station> reversed(const Curve<D>& curve, std::vector<Station> statio
 
 /// 0 to 1 along the stations, by arc length or by parameter.
 std::vector<double> texture_fractions(const std::vector<Station>& stations, UvBy by);
+
+/// Throws InputError where a loop has fewer cells than a triangle has sides. `what` names it ("contour").
+void check_loop(std::size_t cells, const char* what);
+
+/// Throws InputError unless both repeats are finite.
+void check_texture(const UvOptions& uv);
 
 /// Throws InputError unless 1 <= cells <= kMaxCells. `along` names them in the message ("contour").
 void check_cells(int cells, const char* along);

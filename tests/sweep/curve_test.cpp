@@ -127,9 +127,21 @@ TEST(Curve, LeavesOutSegmentsWithoutLength) {
 TEST(Curve, TangentIsFiniteWhereControlPointsCoincide) {
   const Curve3 curve = bezier_curve<3>({{0, 0, 0}, {0, 0, 0}, {1, 1, 0}, {1, 1, 0}});
   const glm::dvec3 diagonal = glm::normalize(glm::dvec3(1, 1, 0));
-  // The chord stands in for the derivative there; it is off by the step it takes, 1e-6.
-  EXPECT_LT(glm::length(curve.tangent({0, 0}) - diagonal), 1e-5);
-  EXPECT_LT(glm::length(curve.tangent({0, 1}) - diagonal), 1e-5);
+  // The second derivative stands in for the first there: exact but for its rounding.
+  for (const double t : {0.0, 1e-12, 0.5, 1 - 1e-12, 1.0})
+    EXPECT_LT(glm::length(curve.tangent({0, t}) - diagonal), 1e-14) << t;
+  // The second derivative is 0 as well: a short chord stands in.
+  const Curve3 flat = bezier_curve<3>({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 1, 0}});
+  for (const double t : {0.0, 1.0}) EXPECT_LT(glm::length(flat.tangent({0, t}) - diagonal), 1e-9) << t;
+}
+
+TEST(Curve, TangentAtACuspIsTheLimitFromEitherSide) {
+  // (t^2, t^3) cut at its cusp: it arrives along -x and leaves along +x.
+  const Curve2 cusp = joined_bezier_curve<2>(
+      {{{1, -1}, {1.0 / 3, 0}, {0, 0}, {0, 0}}, {{0, 0}, {0, 0}, {1.0 / 3, 0}, {1, 1}}});
+  EXPECT_LT(glm::length(cusp.tangent({0, 1}) - glm::dvec2(-1, 0)), 1e-14);
+  EXPECT_LT(glm::length(cusp.tangent({1, 0}) - glm::dvec2(1, 0)), 1e-14);
+  EXPECT_TRUE(cusp.is_corner(1));
 }
 
 TEST(FreeCurve, PassesThroughItsPoints) {
@@ -147,7 +159,8 @@ TEST(FreeCurve, PassesThroughItsPoints) {
 }
 
 TEST(FreeCurve, HasNoLoopBesideAShortSpan) {
-  // A Catmull-Rom spline with even knots turns by more than half a turn inside the short span here: it makes a loop.
+  // A Catmull-Rom spline with even knots turns by more than half a turn inside the short span here: it makes
+  // a loop.
   const Curve2 curve = free_curve<2>({{0, 0}, {10, 0}, {10.1, 1}, {20, 1}}, false);
   for (std::size_t segment = 0; segment < 3; ++segment) {
     double turning = 0;
@@ -173,7 +186,7 @@ TEST(Curve, RefusesWhatIsNoCurveAndSaysWhy) {
               polyline<2>({{1, 1}, {1, 1}}, false);
             }),
             "has no length: all its points are the same; give two that differ");
-  EXPECT_EQ(message_of([] { circle_contour(0); }), "radius needs to be above 0 m, got 0.000000");
+  EXPECT_EQ(message_of([] { circle_contour(0); }), "radius needs to be above 0 m, got 0");
   EXPECT_NE(message_of([] { polyline<2>({{0, 0}, {1e300, 0}}, false); }), "no error");
   EXPECT_NE(message_of([] { joined_bezier_curve<2>({{{0, 0}, {1, 0}}, {{2, 0}, {3, 0}}}); }), "no error");
 }

@@ -85,9 +85,11 @@ TEST(Revolve, RingsCloseBitForBitAndAreFourfoldSymmetric) {
   const GridPatch& patch = pipe.patches.at(0);
   for (std::uint32_t j = 0; j <= patch.rows; ++j) {
     EXPECT_EQ(pipe.positions()[patch.vertex(0, j)], pipe.positions()[patch.vertex(40, j)]);
-    const glm::vec3 p = pipe.positions()[patch.vertex(3, j)];
-    const glm::vec3 q = pipe.positions()[patch.vertex(13, j)];
-    EXPECT_EQ(glm::vec3(p.z, p.y, -p.x), q);
+    for (std::uint32_t i = 0; i <= 30; ++i) {
+      const glm::vec3 p = pipe.positions()[patch.vertex(i, j)];
+      EXPECT_EQ(glm::vec3(p.z, p.y, -p.x), pipe.positions()[patch.vertex(i + 10, j)]);
+      EXPECT_EQ(glm::vec3(p.x, p.y, -p.z), pipe.positions()[patch.vertex(40 - i, j)]);
+    }
   }
 }
 
