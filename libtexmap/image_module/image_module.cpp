@@ -8,11 +8,14 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <mutex>
 
 namespace sweepkit::texmap {
 namespace {
@@ -47,11 +50,39 @@ std::unique_ptr<OIIO::ImageInput> open(const std::string& file, std::string& pro
   return input;
 }
 
+// libpng and libjpeg print what they find wrong to standard error, and OpenImageIO 2.4 lets them. A library
+// does not print: while one of these lives, standard error goes nowhere. What they found comes back as the
+// message.
+class QuietErrors {
+ public:
+  QuietErrors() : lock_(one_at_a_time()), saved_(::dup(STDERR_FILENO)) {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (saved_ >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) ::close(nowhere);
+  }
+  ~QuietErrors() {
+    if (saved_ < 0) return;
+    ::dup2(saved_, STDERR_FILENO);
+    ::close(saved_);
+  }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+
+ private:
+  static std::mutex& one_at_a_time() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  std::lock_guard<std::mutex> lock_;
+  int saved_;
+};
+
 bool is_integer(const OIIO::TypeDesc& type) {
   return type.basetype == OIIO::TypeDesc::UINT8 || type.basetype == OIIO::TypeDesc::UINT16;
 }
 
 std::string read(const std::string& file, ModuleImage& image) try {
+  const QuietErrors quiet;
   std::string problem;
   const auto input = open(file, problem);
   if (!input) return problem;
@@ -78,6 +109,7 @@ std::string read(const std::string& file, ModuleImage& image) try {
 }
 
 std::string read_info(const std::string& file, ModuleInfo& info) try {
+  const QuietErrors quiet;
   std::string problem;
   const auto input = open(file, problem);
   if (!input) return problem;
@@ -97,7 +129,8 @@ std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes
   spec.attribute("DateTime", "2000:01:01 00:00:00");
   spec.attribute("Software", "sweepkit");
   const std::string extension = encoding.extension;
-  // In a TIFF this would become an Exif directory, which OpenImageIO 2.4 writes over the first one when in memory.
+  // In a TIFF this would become an Exif directory, which OpenImageIO 2.4 writes over the first one when in
+  // memory.
   if (extension != "tif") spec.attribute("oiio:ColorSpace", encoding.is_srgb ? "sRGB" : "Linear");
   if (extension == "jpg") {
     spec.attribute("Compression", "jpeg:95");

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -35,10 +36,12 @@ int wrapped(std::int64_t i, int size, Wrap wrap) {
 // The mean by a loop over every texel the box touches, in long double. Texel units, y down.
 double loop_mean(const Image& image, Wrap wrap, double x0, double x1, double y0, double y1, int channel) {
   long double sum = 0;
-  for (auto j = static_cast<std::int64_t>(std::floor(y0)); j < y1; ++j) {
-    const long double height = std::min<long double>(y1, j + 1) - std::max<long double>(y0, j);
-    for (auto i = static_cast<std::int64_t>(std::floor(x0)); i < x1; ++i) {
-      const long double width = std::min<long double>(x1, i + 1) - std::max<long double>(x0, i);
+  for (auto j = static_cast<std::int64_t>(std::floor(y0)); static_cast<double>(j) < y1; ++j) {
+    const long double height = std::min<long double>(y1, static_cast<long double>(j + 1)) -
+                               std::max<long double>(y0, static_cast<long double>(j));
+    for (auto i = static_cast<std::int64_t>(std::floor(x0)); static_cast<double>(i) < x1; ++i) {
+      const long double width = std::min<long double>(x1, static_cast<long double>(i + 1)) -
+                                std::max<long double>(x0, static_cast<long double>(i));
       sum += width * height *
              image.color(wrapped(i, image.width, wrap), wrapped(j, image.height, wrap))[channel];
     }
