@@ -12,11 +12,14 @@
 
 #include <cmath>
 
+#include "segment.hpp"
+
 namespace sweepkit::sweep {
 namespace {
 
-// Far below the 1e-7 of the float32 that normals are stored in, even summed over thousands of stations.
-constexpr double kStepAgreement = 1e-12;
+// Of fourth order, the finer of two results is 15 times nearer the truth than they are to each other:
+// thousands of segments stay below the 6e-8 of the float32 that normals are stored in.
+constexpr double kStepAgreement = 1e-10;
 constexpr int kMaxSubsteps = 1 << 12;
 
 glm::dvec3 perpendicular_part(const glm::dvec3& vector, const glm::dvec3& tangent) {
@@ -44,7 +47,8 @@ Frame turned(const Frame& frame, double angle) {
 // which the method does not mind and which costs no arc length.
 glm::dvec3 carry_along_segment(const Segment<3>& segment, double from, double to, const glm::dvec3& normal) {
   const auto point = [&](double t) {
-    return TangentPoint{evaluate<3>(segment, t).position, tangent<3>(segment, t)};
+    const CurvePoint<3> here = evaluate<3>(segment, t);
+    return TangentPoint{here.position, tangent_of<3>(segment, t, here)};
   };
   const TangentPoint first = point(from);
   const TangentPoint last = point(to);

@@ -8,12 +8,13 @@
 // The direction at a point where the speed is 0: near t + h the curve moves along h S'', so S'' leads on from
 // there and -S'' led to it; where S'' is 0 as well, a short chord stands in.
 
+#include "segment.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "sweepkit/sweep/curve.hpp"
 #include "whole_angle.hpp"
 
 namespace sweepkit::sweep {
@@ -48,6 +49,13 @@ CurvePoint<D> evaluate_segment(const ArcSegment<D>& segment, double t) {
   return {segment.center + radial, rate * (c * segment.y_axis - s * segment.x_axis), -rate * rate * radial};
 }
 
+template <int D>
+Vector<D> far_end(const Segment<D>& segment, double t) {
+  if (const auto* bezier = std::get_if<BezierSegment<D>>(&segment))
+    return t < 0.5 ? bezier->control.back() : bezier->control.front();
+  return evaluate<D>(segment, t < 0.5 ? 1.0 : 0.0).position;
+}
+
 }  // namespace
 
 template <int D>
@@ -57,9 +65,12 @@ CurvePoint<D> evaluate(const Segment<D>& segment, double t) {
 
 template <int D>
 Vector<D> tangent(const Segment<D>& segment, double t) {
-  const CurvePoint<D> here = evaluate<D>(segment, t);
-  const double scale = glm::length(here.second) +
-                       glm::length(evaluate<D>(segment, t < 0.5 ? 1.0 : 0.0).position - here.position);
+  return tangent_of<D>(segment, t, evaluate<D>(segment, t));
+}
+
+template <int D>
+Vector<D> tangent_of(const Segment<D>& segment, double t, const CurvePoint<D>& here) {
+  const double scale = glm::length(here.second) + glm::length(far_end<D>(segment, t) - here.position);
   // A derivative below a 1e-9 share of the segment's size has lost its direction to rounding.
   const double speed = glm::length(here.first);
   if (speed > 1e-9 * scale) return here.first / speed;
@@ -85,5 +96,7 @@ template CurvePoint<2> evaluate<2>(const Segment<2>&, double);
 template CurvePoint<3> evaluate<3>(const Segment<3>&, double);
 template Vector<2> tangent<2>(const Segment<2>&, double);
 template Vector<3> tangent<3>(const Segment<3>&, double);
+template Vector<2> tangent_of<2>(const Segment<2>&, double, const CurvePoint<2>&);
+template Vector<3> tangent_of<3>(const Segment<3>&, double, const CurvePoint<3>&);
 
 }  // namespace sweepkit::sweep
