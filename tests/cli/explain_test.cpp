@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+// --explain shows what a scene needs, and the counters beside it that what was left out cost nothing.
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "workshop.hpp"
+
+namespace sweepkit::test {
+namespace {
+
+struct Part {
+  std::string needed, bytes, calls;
+};
+
+// The table of --explain --json by its parts' names. Not a JSON reader: one row a line is part of what it
+// promises.
+std::map<std::string, Part> parts_of(const std::string& json) {
+  const auto field = [](const std::string& line, const std::string& name) {
+    const std::size_t at = line.find("\"" + name + "\": ");
+    if (at == std::string::npos) return std::string();
+    const std::size_t start = at + name.size() + 4;
+    const bool is_text = line[start] == '"';
+    return line.substr(start + (is_text ? 1 : 0),
+                       line.find_first_of(is_text ? "\"" : ",}", start + 1) - start - (is_text ? 1 : 0));
+  };
+  std::map<std::string, Part> parts;
+  std::istringstream lines(json);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("\"part\"") == std::string::npos) continue;
+    parts[field(line, "part")] = {field(line, "needed"), field(line, "bytes"), field(line, "calls")};
+    EXPECT_NE(field(line, "why"), "") << line;
+  }
+  return parts;
+}
+
+void expect_left_out(const std::map<std::string, Part>& parts, const std::string& name) {
+  ASSERT_EQ(parts.count(name), 1u) << name;
+  EXPECT_EQ(parts.at(name).needed, "false") << name;
+  EXPECT_EQ(parts.at(name).bytes, "0") << name;
+  EXPECT_EQ(parts.at(name).calls, "0") << name;
+}
+
+TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall, R"("camera": {"width": 64, "height": 64})"));
+  const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "ball.png", "--explain", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto parts = parts_of(run.out);
+  EXPECT_EQ(parts.size(), 11u);
+  for (const char* name :
+       {"half-edges", "textures", "baked textures", "summed-area tables", "(u,v) at hits", "filtered nodes",
+        "row buffers", "intersection trees", "supersampling", "grid over objects"}) {
+    expect_left_out(parts, name);
+  }
+  EXPECT_EQ(parts.at("shadow rays").needed, "true");
+}
+
+TEST(Explain, OfAGenerateShowsThatNoPictureIsDrawn) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  const Outcome run = workshop.sweepkit({"generate", "ball.json", "-o", "ball.glb", "--explain", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  for (const auto& [name, part] : parts_of(run.out)) expect_left_out(parts_of(run.out), name);
+}
+
+TEST(Explain, OfASceneThatNeedsEverythingCountsEverythingButHalfEdgesAndBakes) {
+  const Workshop workshop;
+  const Outcome run =
+      workshop.sweepkit({"render", SWEEPKIT_SAMPLES "/scenes/vase_and_cup.json", "-o", "p.png", "--explain",
+                         "--json", "--size", "48x48", "--antialias", "3x3"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  for (const auto& [name, part] : parts_of(run.out)) {
+    if (name == "half-edges" || name == "baked textures") {
+      expect_left_out(parts_of(run.out), name);
+    } else {
+      EXPECT_EQ(part.needed, "true") << name;
+      EXPECT_NE(part.calls, "0") << name;
+    }
+  }
+}
+
+TEST(Explain, WithoutAnOutputPrintsThePlanAndDoesNoWork) {
+  const Workshop workshop;
+  // The texture is not there: work would find that out.
+  workshop.write(
+      "scene.json",
+      scene_of(R"({"name": "x", "material": "m", "plane": {"size": [1, 1]}})",
+               R"("textures": {"t": {"image": "none.png"}}, "materials": {"m": {"texture": "t"}})"));
+  const auto before = workshop.contents();
+  for (const char* command : {"generate", "render"}) {
+    const Outcome run = workshop.sweepkit({command, "scene.json", "--explain"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find("textures            yes     materials in use have textures\n"), std::string::npos)
+        << run.out;
+    EXPECT_EQ(run.err, "");
+  }
+  EXPECT_EQ(workshop.contents(), before);
+}
+
+TEST(Explain, MakesWayForAResultOnStandardOutput) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  const Outcome run = workshop.sweepkit({"generate", "ball.json", "-o", "-", "--explain", "--quiet"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out.substr(0, 4), "glTF");
+  EXPECT_EQ(run.err.substr(0, 4), "part");
+}
+
+TEST(Quiet, SaysNothing) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  const Outcome loud = workshop.sweepkit({"generate", "ball.json", "-o", "ball.glb"});
+  EXPECT_EQ(loud.err.substr(0, 34), "ball.glb: 1 object, 720 triangles,");
+  EXPECT_EQ(loud.out, "");
+  const Outcome quiet = workshop.sweepkit({"generate", "ball.json", "-o", "ball.glb", "--quiet"});
+  EXPECT_EQ(quiet.out + quiet.err, "");
+}
+
+TEST(Statistics, AreWrittenBesideThePicture) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  const Outcome run =
+      workshop.sweepkit({"render", "ball.json", "-o", "p.png", "--size", "20x10", "--stats", "p.json"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(workshop.read("p.json").find("\"eye_rays\": 200,"), std::string::npos) << workshop.read("p.json");
+  EXPECT_EQ(parts_of(workshop.read("p.json")).size(), 11u);
+}
+
+TEST(Object, AloneNeedsNothingOfTheOthers) {
+  const Workshop workshop;
+  workshop.write(
+      "scene.json",
+      scene_of(std::string(kBall) + R"(,
+ {"name": "x", "material": "m", "plane": {"size": [1, 1]}})",
+               R"("textures": {"t": {"image": "none.png"}}, "materials": {"m": {"texture": "t"}})"));
+  // The other object's texture is not there, and nobody looks.
+  const Outcome run = workshop.sweepkit({"generate", "scene.json", "-o", "ball.glb", "--object", "ball"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err.substr(0, 34), "ball.glb: 1 object, 720 triangles,");
+}
+
+}  // namespace
+}  // namespace sweepkit::test

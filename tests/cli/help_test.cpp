@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+// Every --help has an example, and every example works as it stands, in a folder that has the samples.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "workshop.hpp"
+
+namespace sweepkit::test {
+namespace {
+
+class Help : public testing::TestWithParam<std::string> {};
+
+TEST_P(Help, HasExamplesThatWork) {
+  const Workshop workshop;
+  std::filesystem::create_directory_symlink(SWEEPKIT_SAMPLES, workshop.folder() / "samples");
+  const Outcome help = workshop.shell("sweepkit " + GetParam() + " --help");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.err, "");
+  std::istringstream lines(help.out.substr(std::min(help.out.find("Example"), help.out.size())));
+  int examples = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.compare(0, 11, "  sweepkit ") != 0) continue;
+    ++examples;
+    const Outcome run = workshop.shell(line);
+    EXPECT_EQ(run.status, 0) << line << '\n' << run.err;
+    // What stands after -o is there, and is no empty file.
+    const std::size_t output = line.find(" -o ");
+    if (output == std::string::npos) {
+      EXPECT_NE(run.out, "") << line;
+    } else {
+      std::istringstream words(line.substr(output + 4));
+      std::string file;
+      words >> file;
+      EXPECT_NE(workshop.read(file), "") << line;
+    }
+  }
+  EXPECT_GE(examples, 1) << help.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheProgram, Help, testing::Values(""), [](const auto&) { return "itself"; });
+INSTANTIATE_TEST_SUITE_P(OfTheCommand, Help, testing::Values("generate", "render", "bake", "info"),
+                         [](const auto& test) { return test.param; });
+
+TEST(Version, IsAWordAndANumber) {
+  const Outcome run = Workshop().sweepkit({"--version"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out.substr(0, 9), "sweepkit ");
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '.'), 2);
+  EXPECT_EQ(run.err, "");
+}
+
+}  // namespace
+}  // namespace sweepkit::test

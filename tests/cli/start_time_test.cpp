@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+// An untextured generate of a small object takes under 30 ms from start to end (docs: the command line).
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "workshop.hpp"
+
+namespace sweepkit::test {
+namespace {
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr double kSlower =
+    20;  // AddressSanitizer: setting up its shadow memory and checking for leaks at the end
+#else
+constexpr double kSlower = 1;
+#endif
+
+double median_time(const Workshop& workshop, const std::vector<std::string>& arguments) {
+  std::vector<double> times;
+  for (int i = 0; i < 20; ++i) {
+    const Outcome run = workshop.sweepkit(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    times.push_back(run.time.count());
+  }
+  std::nth_element(times.begin(), times.begin() + 10, times.end());
+  return times[10];
+}
+
+TEST(StartTime, GenerateOfASmallUntexturedObjectTakesUnder30Ms) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  EXPECT_LT(median_time(workshop, {"generate", "ball.json", "-o", "ball.glb"}), 0.030 * kSlower);
+}
+
+TEST(StartTime, HelpTakesUnder30Ms) {
+  const Workshop workshop;
+  EXPECT_LT(median_time(workshop, {"--help"}), 0.030 * kSlower);
+}
+
+TEST(StartTime, TheImageModuleIsLeftOnTheDiskWhereNoImageIsTouched) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  // The loader tells each library it opens; OpenImageIO alone brings over two hundred.
+  const Outcome run = workshop.shell("LD_DEBUG=files sweepkit generate ball.json -o ball.glb");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.err.find("libOpenMeshCore"), std::string::npos) << "the loader says nothing";
+  EXPECT_EQ(run.err.find("OpenImageIO"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sweepkit::test
