@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: MIT
 //
 // The general sweep of Akman and Arslan (1992), with rotation-minimizing frames:
-//   S(s, t) = c(t) + x(s) N(t) + y(s) B(t)
-// and its normal from the derivatives. With t measured by arc length, curvature vector K = dT/dt = kN N + kB
-// B and the closing rate w (radians a metre about T),
-//   dS/ds = x' N + y' B,   dS/dt = (1 - x kN - y kB) T + w (x B - y N),
+//   S(s, t) = c(t) + x(s) X(t) + y(s) Y(t)
+// and its normal from the derivatives, t measured by arc length. Away from mitres X = N and Y = B, and with
+// the curvature vector dT/dt = kN N + kB B and the closing rate w (radians a metre about T)
+//   X' = w B - kN T,   Y' = -w N - kB T,
 //   dS/ds x dS/dt = a (y' N - x' B) + w (x x' + y y') T,   a = 1 - x kN - y kB.
 // a < 0 where the contour reaches past the centre of curvature and the surface folds over; the normal keeps
 // to the contour's outside there.
 //
 // At a corner of the trajectory the ring lies in the plane that halves it (a mitre): every point q of the
 // section slides along T by g(q) = -(q.m)/(T.m), m the plane's normal. That is linear in (x, y), so it is
-// folded into the row's own axes. Along a straight piece g runs evenly from the mitre at one end to that at
-// the other, so no ring of it crosses the mitre however close it stands.
+// folded into the row's own axes: X = N + g(N) T, Y = B + g(B) T. Along a straight piece g runs evenly from
+// the mitre at one end to that at the other, so no ring of it crosses the mitre however close it stands.
 
 #include "sweepkit/sweep/sweep.hpp"
 
@@ -24,10 +24,10 @@
 #include "cap.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
+#include "number_text.hpp"
 #include "rotation_minimizing_frames.hpp"
 #include "section.hpp"
 #include "sweepkit/error.hpp"
-#include "whole_angle.hpp"
 
 namespace sweepkit::sweep {
 namespace {
@@ -35,10 +35,11 @@ namespace {
 // A mitre longer than this many times the section's size is a reversal, not a corner.
 constexpr double kLongestMitre = 1000;
 
-// One side of a row: what its normals are made of.
+// One side of a row: the frame there and how fast the row's axes change along the trajectory.
 struct RowSide {
   Frame frame;
-  glm::dvec2 curvature{0.0};  // (kN, kB), per metre
+  glm::dvec3 x_rate{0.0};  // X', a metre
+  glm::dvec3 y_rate{0.0};
 };
 
 struct Row {
@@ -49,8 +50,7 @@ struct Row {
   bool is_corner = false;
 };
 
-glm::dvec2 curvature(const Curve3& trajectory, CurveLocation location, const Frame& frame) {
-  const CurvePoint<3> point = trajectory.evaluate(location);
+glm::dvec2 curvature(const CurvePoint<3>& point, const Frame& frame) {
   const double speed_squared = glm::dot(point.first, point.first);
   // At a cusp the curvature is not finite; the section's own normal stands in.
   if (!(speed_squared > 0)) return glm::dvec2(0.0);
@@ -58,6 +58,12 @@ glm::dvec2 curvature(const Curve3& trajectory, CurveLocation location, const Fra
       glm::dvec2(glm::dot(point.second, frame.normal), glm::dot(point.second, frame.binormal)) /
       speed_squared;
   return std::isfinite(k.x) && std::isfinite(k.y) ? k : glm::dvec2(0.0);
+}
+
+RowSide make_side(const Curve3& trajectory, CurveLocation location, const Frame& frame, double closing_rate) {
+  const glm::dvec2 k = curvature(trajectory.evaluate(location), frame);
+  return {frame, closing_rate * frame.binormal - k.x * frame.tangent,
+          -closing_rate * frame.normal - k.y * frame.tangent};
 }
 
 // How far along T the section's axes slide onto a mitre plane: g for N and for B.
@@ -75,20 +81,30 @@ bool is_straight(const Segment<3>& segment) {
 // at its start to that at its end. Only a straight piece is ruled, so only there the rings between the mitres
 // move.
 void slide_between(std::vector<Row>& rows, const std::vector<glm::dvec3>& planes, const Curve3& trajectory,
-                   const std::vector<Station>& stations, std::size_t first, std::size_t last) {
+                   const std::vector<Station>& stations, double closing_rate, std::size_t first,
+                   std::size_t last) {
   for (std::size_t segment = stations[first].out.segment; segment <= stations[last].in.segment; ++segment) {
     if (!is_straight(trajectory.segments()[segment])) return;
   }
-  for (std::size_t i = first + 1; i < last; ++i) {
+  const double length = stations[last].length - stations[first].length;
+  for (std::size_t i = first; i <= last; ++i) {
     Row& row = rows[i];
-    const Frame& frame = row.in.frame;
-    const double share =
-        (stations[i].length - stations[first].length) / (stations[last].length - stations[first].length);
-    glm::dvec2 slide(0.0);
-    if (rows[first].is_corner) slide += (1 - share) * mitre_slide(frame, planes[first]);
-    if (rows[last].is_corner) slide += share * mitre_slide(frame, planes[last]);
-    row.x_axis += slide.x * frame.tangent;
-    row.y_axis += slide.y * frame.tangent;
+    RowSide& side = i == first ? row.out : row.in;
+    const Frame& frame = side.frame;
+    const glm::dvec2 none(0.0);
+    const glm::dvec2 at_first = rows[first].is_corner ? mitre_slide(frame, planes[first]) : none;
+    const glm::dvec2 at_last = rows[last].is_corner ? mitre_slide(frame, planes[last]) : none;
+    const glm::dvec2 slide =
+        glm::mix(at_first, at_last, (stations[i].length - stations[first].length) / length);
+    if (i != first && i != last) {
+      row.x_axis += slide.x * frame.tangent;
+      row.y_axis += slide.y * frame.tangent;
+    }
+    // g changes along the piece, and with the directions of N and B as they turn by the closing rate.
+    const glm::dvec2 rate = (at_last - at_first) / length + closing_rate * glm::dvec2(slide.y, -slide.x);
+    side.x_rate += rate.x * frame.tangent;
+    side.y_rate += rate.y * frame.tangent;
+    if (i != first && i != last) row.out = row.in;
   }
 }
 
@@ -100,8 +116,8 @@ std::vector<Row> make_rows(const Curve3& trajectory, const std::vector<Station>&
   for (std::size_t i = 0; i < count; ++i) {
     Row& row = rows[i];
     row.center = trajectory.evaluate(stations[i].out).position;
-    row.in = {along.frames[i].in, curvature(trajectory, stations[i].in, along.frames[i].in)};
-    row.out = {along.frames[i].out, curvature(trajectory, stations[i].out, along.frames[i].out)};
+    row.in = make_side(trajectory, stations[i].in, along.frames[i].in, along.closing_rate);
+    row.out = make_side(trajectory, stations[i].out, along.frames[i].out, along.closing_rate);
     row.is_corner = stations[i].is_corner;
     if (!row.is_corner) {
       row.in = row.out;
@@ -109,7 +125,7 @@ std::vector<Row> make_rows(const Curve3& trajectory, const std::vector<Station>&
     }
     const glm::dvec3 bisector = row.in.frame.tangent + row.out.frame.tangent;
     if (!(glm::length(bisector) * kLongestMitre > 2)) {
-      throw InputError("trajectory turns back on itself at " + std::to_string(stations[i].length) +
+      throw InputError("trajectory turns back on itself at " + number_text(stations[i].length) +
                        " m along it; a mitre there would be endless: round the corner off");
     }
     planes[i] = glm::normalize(bisector);
@@ -125,7 +141,7 @@ std::vector<Row> make_rows(const Curve3& trajectory, const std::vector<Station>&
   std::size_t piece_start = 0;
   for (std::size_t i = 1; i < count; ++i) {
     if (!rows[i].is_corner && i + 1 < count) continue;
-    slide_between(rows, planes, trajectory, stations, piece_start, i);
+    slide_between(rows, planes, trajectory, stations, along.closing_rate, piece_start, i);
     piece_start = i;
   }
   if (trajectory.is_closed()) {
@@ -133,6 +149,7 @@ std::vector<Row> make_rows(const Curve3& trajectory, const std::vector<Station>&
     rows.back().center = rows.front().center;
     rows.back().x_axis = rows.front().x_axis;
     rows.back().y_axis = rows.front().y_axis;
+    if (!rows.front().is_corner) rows.back().in = rows.back().out = rows.front().in;
   }
   return rows;
 }
@@ -141,20 +158,22 @@ glm::dvec3 point_of(const Row& row, const glm::dvec2& p) {
   return row.center + p.x * row.x_axis + p.y * row.y_axis;
 }
 
-glm::dvec3 normal_of(const RowSide& side, double closing_rate, const glm::dvec2& p,
+glm::dvec3 normal_of(const Row& row, const RowSide& side, double closing_rate, const glm::dvec2& p,
                      const glm::dvec2& tangent) {
   const Frame& f = side.frame;
   const glm::dvec3 outward = tangent.y * f.normal - tangent.x * f.binormal;
+  // Without a twist both derivatives lie in planes that `outward` is perpendicular to.
   if (closing_rate == 0) return outward;
-  const double a = 1 - glm::dot(p, side.curvature);
-  const glm::dvec3 normal =
-      std::abs(a) * outward + std::copysign(closing_rate, a) * glm::dot(p, tangent) * f.tangent;
+  const glm::dvec3 across = tangent.x * row.x_axis + tangent.y * row.y_axis;
+  const glm::dvec3 ahead = f.tangent + p.x * side.x_rate + p.y * side.y_rate;
+  const glm::dvec3 normal = glm::cross(across, ahead);
   const double length = glm::length(normal);
-  return length > 1e-12 ? normal / length : outward;
+  if (!(length > 1e-12)) return outward;
+  return (glm::dot(normal, outward) < 0 ? -normal : normal) / length;
 }
 
 std::vector<bool> row_breaks(const std::vector<Row>& rows, double crease_deg) {
-  const double crease_cos = cos_sin_deg(crease_deg).cos;
+  const double crease_cos = crease_cosine(crease_deg);
   std::vector<bool> breaks;
   for (const Row& row : rows) {
     breaks.push_back(row.is_corner && glm::dot(row.in.frame.tangent, row.out.frame.tangent) < crease_cos);
@@ -181,9 +200,9 @@ void write_wall(Mesh& mesh, const Section& section, const std::vector<Row>& rows
         for (std::size_t i = column_run.first; i <= column_run.last; ++i, ++vertex) {
           const SectionPoint& point = section.points[i];
           const glm::dvec2& tangent = i == column_run.first ? point.tangent_out : point.tangent_in;
-          glm::dvec3 normal = normal_of(side, closing_rate, point.position, tangent);
+          glm::dvec3 normal = normal_of(row, side, closing_rate, point.position, tangent);
           if (is_middle)
-            normal = glm::normalize(normal + normal_of(row.out, closing_rate, point.position, tangent));
+            normal = glm::normalize(normal + normal_of(row, row.out, closing_rate, point.position, tangent));
           positions[vertex] = glm::vec3(point_of(row, point.position) - mesh.origin);
           normals[vertex] = glm::vec3(normal);
           texcoords[vertex] = {static_cast<float>(section.fractions[i] * uv.repeat.x), v};
@@ -228,9 +247,11 @@ void add_cap(Mesh& mesh, const Section& section, const Row& row, bool is_first) 
 Mesh sweep(const Curve2& contour, const Curve3& trajectory, const SweepOptions& options) {
   check_cells(options.tessellation.contour, "contour");
   check_cells(options.tessellation.trajectory, "trajectory");
+  check_texture(options.uv);
   const Section section =
       make_section(contour, options.tessellation.contour, options.crease_deg, options.uv.by);
   const std::vector<Station> stations = place_stations(trajectory, options.tessellation.trajectory);
+  if (trajectory.is_closed()) check_loop(stations.size() - 1, "trajectory");
   const FramesAlong along = rotation_minimizing_frames(trajectory, stations);
   const std::vector<Row> rows = make_rows(trajectory, stations, along);
   const std::vector<bool> breaks = row_breaks(rows, options.crease_deg);
