@@ -81,8 +81,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     const std::string what = error.what();
     // A wrong comma or bracket stands where the lexer is; any other token began further left.
     const std::size_t last = std::min(position > 0 ? position - 1 : 0, text_.size());
-    const bool is_mark =
-        last < text_.size() && std::string_view(",:{}[]").find(text_[last]) != std::string_view::npos;
+    const bool is_mark = what.find(" unexpected ") != std::string::npos && last < text_.size() &&
+                         std::string_view(",:{}[]").find(text_[last]) != std::string_view::npos;
     const JsonPlace at = is_mark ? place_of(last) : next_token(true);
     constexpr std::string_view kOverflow = "number overflow parsing ";
     if (const std::size_t found = what.find(kOverflow); found != std::string::npos) {

@@ -41,6 +41,16 @@ std::string escaped(const std::string& key) {
   return out;
 }
 
+// The first of the names, in quotes.
+std::string list_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 16;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
+  }
+  return names.size() > kMost ? text + ", ..." : text;
+}
+
 Place to_place(const JsonPlace& place, const std::string& pointer) {
   return {place.source != nullptr ? *place.source : "", place.line, place.column, pointer};
 }
@@ -54,11 +64,14 @@ std::string to_text(double value) {
 }
 
 std::string suggestion(std::string_view given, const std::vector<std::string>& known) {
+  constexpr std::size_t kLongest = 100;  // no misspelling, and the distance takes the product of the lengths
+  if (given.size() > kLongest) return "";
   std::size_t best = std::max<std::size_t>(2, given.size() / 3) + 1;
   const std::string* nearest = nullptr;
   for (const std::string& candidate : known) {
     const std::size_t distance = edit_distance(given, candidate);
-    if (distance < best) {
+    const bool shares_a_letter = distance < std::max(given.size(), candidate.size());
+    if (distance < best && shares_a_letter) {
       best = distance;
       nearest = &candidate;
     }
@@ -68,15 +81,11 @@ std::string suggestion(std::string_view given, const std::vector<std::string>& k
 
 std::string unknown_name(const std::string& kind, std::string_view given,
                          const std::vector<std::string>& known) {
-  std::string text = "there is no " + kind + " " + in_quotes(given);
+  const std::string text = "there is no " + kind + " " + in_quotes(given);
   const std::string meant = suggestion(given, known);
   if (!meant.empty()) return text + meant;
   if (known.empty()) return text + ": the scene has none";
-  constexpr std::size_t kMost = 8;
-  for (std::size_t i = 0; i < std::min(known.size(), kMost); ++i) {
-    text += (i == 0 ? "; there is " : ", ") + in_quotes(known[i]);
-  }
-  return known.size() > kMost ? text + ", ..." : text;
+  return text + "; there is " + list_of(known);
 }
 
 void Node::fail(const std::string& problem) const {
@@ -173,8 +182,10 @@ Node ObjectReader::member(const JsonMember& of) const {
 }
 
 void ObjectReader::refuse(const JsonMember& unknown, const std::vector<std::string>& known) const {
-  throw InputError(to_place(unknown.key_place, member(unknown).pointer()),
-                   "unknown key " + in_quotes(unknown.key) + suggestion(unknown.key, known));
+  const std::string meant = suggestion(unknown.key, known);
+  throw InputError(
+      to_place(unknown.key_place, member(unknown).pointer()),
+      "unknown key " + in_quotes(unknown.key) + (meant.empty() ? "; there is " + list_of(known) : meant));
 }
 
 std::optional<Node> ObjectReader::find(const std::string& key) {

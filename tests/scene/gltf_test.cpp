@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// The files are read back by hand: the container's header, the JSON, and the arrays behind the accessors.
+
+#include "sweepkit/scene/gltf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "scene_text.hpp"
+#include "sweepkit/error.hpp"
+#include "sweepkit/scene/model.hpp"
+
+namespace sweepkit::scene {
+namespace {
+
+using nlohmann::json;
+
+struct Parsed {
+  json root;
+  std::vector<std::byte> buffer;
+  GltfFile file;
+
+  const std::byte* view(std::size_t index) const {
+    return buffer.data() + root["bufferViews"][index].value("byteOffset", std::size_t{0});
+  }
+  template <class T>
+  std::vector<T> accessor(std::size_t index) const {
+    const json& accessor = root["accessors"][index];
+    const std::size_t per = accessor["type"] == "SCALAR" ? 1 : accessor["type"] == "VEC2" ? 2 : 3;
+    std::vector<T> values(accessor["count"].get<std::size_t>() * per);
+    std::memcpy(values.data(), view(accessor["bufferView"]), values.size() * sizeof(T));
+    return values;
+  }
+  const json& primitive(std::size_t mesh = 0) const { return root["meshes"][mesh]["primitives"][0]; }
+};
+
+std::uint32_t word(const std::vector<std::byte>& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, bytes.data() + at, 4);
+  return value;
+}
+
+GltfFile make(const Model& model, const Document& document, const std::filesystem::path& file,
+              const GltfOptions& options = {.bake_size = 32}) {
+  return make_gltf(model.scene, plan(document, {.product = Request::Product::kMeshFile}), file, options);
+}
+
+GltfFile make(const std::string& text, const std::filesystem::path& file,
+              const GltfOptions& options = {.bake_size = 32}) {
+  const Document document = parse_document(text, SWEEPKIT_SAMPLES "/scenes/s.json");
+  return make(build(document, plan(document, {.product = Request::Product::kMeshFile})), document, file,
+              options);
+}
+
+Parsed glb(const std::string& text, const GltfOptions& options = {.bake_size = 32}) {
+  Parsed parsed;
+  parsed.file = make(text, "out.glb", options);
+  EXPECT_EQ(parsed.file.files.size(), 1u);
+  const std::vector<std::byte>& bytes = parsed.file.files.back().bytes;
+  EXPECT_EQ(word(bytes, 0), 0x46546C67u) << "glTF";
+  EXPECT_EQ(word(bytes, 4), 2u);
+  EXPECT_EQ(word(bytes, 8), bytes.size());
+  const std::size_t json_size = word(bytes, 12);
+  EXPECT_EQ(word(bytes, 16), 0x4E4F534Au) << "JSON";
+  EXPECT_EQ(json_size % 4, 0u);
+  const auto* text_at = reinterpret_cast<const char*>(bytes.data() + 20);
+  parsed.root = json::parse(text_at, text_at + json_size);
+  const std::size_t binary_at = 20 + json_size;
+  EXPECT_EQ(word(bytes, binary_at + 4), 0x004E4942u) << "BIN";
+  EXPECT_EQ(word(bytes, binary_at), bytes.size() - binary_at - 8);
+  EXPECT_EQ(bytes.size() % 4, 0u);
+  parsed.buffer.assign(bytes.begin() + static_cast<std::ptrdiff_t>(binary_at) + 8, bytes.end());
+  return parsed;
+}
+
+const std::string kVase =
+    R"({"name": "vase", "material": "m", "tessellation": {"contour": 10, "trajectory": 12},
+        "revolve": {"contour": {"bezier": [[0, 0], [0.1, 0], [0.1, 0.2]]}}})";
+
+TEST(Gltf, OneNodeOneMeshOnePrimitiveForEachObjectNamedForIt) {
+  const Parsed parsed = glb(scene_text(R"("materials": {"m": {}})", kVase + ", " + kFloor));
+  EXPECT_EQ(parsed.root["asset"], (json{{"version", "2.0"}, {"generator", "sweepkit 0.1.0"}}));
+  ASSERT_EQ(parsed.root["meshes"].size(), 2u);
+  ASSERT_EQ(parsed.root["nodes"].size(), 3u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char* name = i == 0 ? "vase" : "floor";
+    EXPECT_EQ(parsed.root["meshes"][i]["name"], name);
+    EXPECT_EQ(parsed.root["meshes"][i]["primitives"].size(), 1u);
+    EXPECT_EQ(parsed.root["nodes"][i]["name"], name);
+    EXPECT_EQ(parsed.root["nodes"][i]["mesh"], i);
+  }
+  EXPECT_EQ(parsed.root["scenes"][0]["nodes"], (json{0, 1, 2}));
+}
+
+TEST(Gltf, HoldsTheMeshesOwnNumbers) {
+  const std::string text = scene_text(R"("materials": {"m": {}})", kVase);
+  const Document document = parse(text);
+  const Model model = build(document, plan(document, {.product = Request::Product::kMeshFile}));
+  const MeshView& mesh = model.scene.meshes[0];
+  const Parsed parsed = glb(text);
+  const json& attributes = parsed.primitive()["attributes"];
+  const auto positions = parsed.accessor<float>(attributes["POSITION"]);
+  const auto normals = parsed.accessor<float>(attributes["NORMAL"]);
+  const auto texcoords = parsed.accessor<float>(attributes["TEXCOORD_0"]);
+  const auto indices = parsed.accessor<std::uint16_t>(parsed.primitive()["indices"]);
+  ASSERT_EQ(positions.size(), 3 * mesh.positions.size());
+  EXPECT_EQ(std::memcmp(positions.data(), mesh.positions.data(), mesh.positions.size_bytes()), 0);
+  EXPECT_EQ(std::memcmp(normals.data(), mesh.normals.data(), mesh.normals.size_bytes()), 0);
+  for (std::size_t i = 0; i < mesh.texcoords.size(); ++i) {
+    EXPECT_EQ(texcoords[2 * i], mesh.texcoords[i].x);
+    EXPECT_EQ(texcoords[2 * i + 1], 1 - mesh.texcoords[i].y);
+  }
+  ASSERT_EQ(indices.size(), 3 * mesh.triangles.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) EXPECT_EQ(indices[i], mesh.triangles[i / 3][i % 3]);
+}
+
+TEST(Gltf, PositionsHaveTheirExactBounds) {
+  const Parsed parsed = glb(scene_text(R"("materials": {"m": {}})", kVase));
+  const std::size_t index = parsed.primitive()["attributes"]["POSITION"];
+  const auto positions = parsed.accessor<float>(index);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    float low = positions[axis];
+    float high = low;
+    for (std::size_t i = axis; i < positions.size(); i += 3) {
+      low = std::min(low, positions[i]);
+      high = std::max(high, positions[i]);
+    }
+    EXPECT_EQ(parsed.root["accessors"][index]["min"][axis].get<float>(), low);
+    EXPECT_EQ(parsed.root["accessors"][index]["max"][axis].get<float>(), high);
+  }
+}
+
+TEST(Gltf, ViewsAreAlignedAndInsideTheBuffer) {
+  const Parsed parsed =
+      glb(scene_text(R"("textures": {"t": {"procedural": "tiles"}}, "materials": {"m": {"texture": "t"}})",
+                     kVase + ", " + kFloor));
+  const std::size_t size = parsed.root["buffers"][0]["byteLength"];
+  EXPECT_FALSE(parsed.root["buffers"][0].contains("uri"));
+  for (const json& view : parsed.root["bufferViews"]) {
+    const std::size_t offset = view.value("byteOffset", std::size_t{0});
+    EXPECT_EQ(offset % 4, 0u);
+    EXPECT_LE(offset + view["byteLength"].get<std::size_t>(), size);
+  }
+}
+
+// 255 x 255 cells make 256 x 256 = 65536 vertices, one too many for 16 bits; 254 x 256 cells make 65535.
+TEST(Gltf, IndicesAre16BitsWhereTheyReach) {
+  const auto component = [](const std::string& cells) {
+    const Parsed parsed =
+        glb(scene_text("", R"({"name": "a", "plane": {"size": [1, 1]}, "tessellation": {)" + cells + "}}"));
+    const std::size_t vertices =
+        parsed.root["accessors"][parsed.primitive()["attributes"]["POSITION"].get<std::size_t>()]["count"];
+    return std::pair(
+        vertices, parsed.root["accessors"][parsed.primitive()["indices"].get<std::size_t>()]["componentType"]
+                      .get<int>());
+  };
+  EXPECT_EQ(component(R"("contour": 254, "trajectory": 256)"), std::pair(std::size_t{65535}, 5123));
+  EXPECT_EQ(component(R"("contour": 255, "trajectory": 255)"), std::pair(std::size_t{65536}, 5125));
+}
+
+TEST(Gltf, NodesArePlacedAndCarryTheMeshesOrigin) {
+  const std::string text = scene_text(
+      "", R"({"name": "far", "translate": [1000000, 0, 0], "rotate_deg": [0, 0, 90], "scale": [2, 3, 4],
+      "sweep": {"contour": {"circle": {"radius": 0.1}}, "trajectory": {"line": [[5000000, 7, 0], [5000000, 8, 0]]}}})");
+  const Document document = parse(text);
+  const Model model = build(document, plan(document, {.product = Request::Product::kMeshFile}));
+  const json node = glb(text).root["nodes"][0];
+  const glm::dvec3 at(model.scene.objects[0].world_from_object * glm::dvec4(model.scene.meshes[0].origin, 1));
+  EXPECT_EQ(node["scale"], (json{2.0, 3.0, 4.0}));
+  // The origin alone, when it is not zero: the product of doubles is exact here.
+  if (at != glm::dvec3(0.0)) {
+    for (int i = 0; i < 3; ++i)
+      EXPECT_EQ(node["translation"][static_cast<std::size_t>(i)].get<double>(), at[i]);
+  }
+  EXPECT_NEAR(node["rotation"][2].get<double>(), std::numbers::sqrt2 / 2, 1e-15);
+  EXPECT_NEAR(node["rotation"][3].get<double>(), std::numbers::sqrt2 / 2, 1e-15);
+}
+
+TEST(Gltf, TheCameraIsTheScenes) {
+  const Parsed parsed = glb(scene_text(
+      R"("camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "fov_deg": 90, "width": 200, "height": 100})"));
+  const json& perspective = parsed.root["cameras"][0]["perspective"];
+  EXPECT_EQ(perspective["yfov"].get<double>(), std::numbers::pi / 2);
+  EXPECT_EQ(perspective["aspectRatio"].get<double>(), 2);
+  EXPECT_LT(perspective["znear"].get<double>(), 5);
+  EXPECT_GT(perspective["zfar"].get<double>(), 5);
+  const json& node = parsed.root["nodes"].back();
+  EXPECT_EQ(node["translation"], (json{0.0, 0.0, 5.0}));
+  EXPECT_FALSE(node.contains("rotation"));
+}
+
+TEST(Gltf, NothingUnusedIsWritten) {
+  const json root =
+      glb(scene_text(
+              R"("textures": {"t": {"image": "not there.png"}}, "materials": {"m": {}, "other": {"texture": "t"}})",
+              kVase))
+          .root;
+  EXPECT_EQ(root["materials"].size(), 1u);
+  for (const char* key :
+       {"textures", "images", "samplers", "extensionsUsed", "extensionsRequired", "animations", "skins"}) {
+    EXPECT_FALSE(root.contains(key)) << key;
+  }
+  EXPECT_TRUE(root["meshes"][0]["primitives"][0]["attributes"].contains("TEXCOORD_0"))
+      << "people texture elsewhere";
+}
+
+TEST(Gltf, ObjectsThatShareAMaterialShareIt) {
+  const std::string two =
+      R"({"name": "a", "plane": {"size": [1, 1]}, "material": "m"}, {"name": "b", "plane": {"size": [1, 1]}, "material": "m"},
+                             {"name": "c", "plane": {"size": [1, 1]}}, {"name": "d", "plane": {"size": [1, 1]}})";
+  const Parsed parsed = glb(scene_text(
+      R"("textures": {"t": {"image": "../textures/vase_bands.png", "wrap": "clamp"}}, "materials": {"m": {"texture": "t"}})",
+      two));
+  EXPECT_EQ(parsed.root["materials"].size(), 2u);
+  EXPECT_EQ(parsed.root["materials"][0]["name"], "m");
+  EXPECT_EQ(parsed.root["materials"][1]["name"], "default");
+  EXPECT_EQ(parsed.root["images"].size(), 1u);
+  EXPECT_EQ(parsed.primitive(0)["material"], parsed.primitive(1)["material"]);
+  EXPECT_EQ(parsed.primitive(2)["material"], parsed.primitive(3)["material"]);
+  EXPECT_EQ(parsed.root["samplers"][0]["wrapS"], 33071);
+}
+
+TEST(Gltf, ImagesStandInsideAGlbAndBesideAGltf) {
+  const std::string text = scene_text(
+      R"("textures": {"t": {"image": "../textures/vase_bands.png"}}, "materials": {"m": {"texture": "t"}})",
+      kVase);
+  const Parsed inside = glb(text);
+  const json& image = inside.root["images"][0];
+  EXPECT_EQ(image["mimeType"], "image/png");
+  EXPECT_FALSE(image.contains("uri"));
+  EXPECT_EQ(std::memcmp(inside.view(image["bufferView"]), "\x89PNG", 4), 0);
+
+  const GltfFile beside = make(text, "some folder/my vase #1.gltf");
+  ASSERT_EQ(beside.files.size(), 3u);
+  EXPECT_EQ(beside.files[0].name, "my vase #1_0.png");
+  EXPECT_EQ(beside.files[1].name, "my vase #1.bin");
+  EXPECT_EQ(beside.files[2].name, "my vase #1.gltf") << "last, since it names the others";
+  const auto* first = reinterpret_cast<const char*>(beside.files[2].bytes.data());
+  const json root = json::parse(first, first + beside.files[2].bytes.size());
+  EXPECT_EQ(root["images"][0]["uri"], "my%20vase%20%231_0.png");
+  EXPECT_EQ(root["buffers"],
+            (json::array({{{"uri", "my%20vase%20%231.bin"}, {"byteLength", beside.files[1].bytes.size()}}})));
+  EXPECT_EQ(std::memcmp(beside.files[0].bytes.data(), "\x89PNG", 4), 0);
+  EXPECT_EQ(root["accessors"], inside.root["accessors"].is_array() ? root["accessors"] : json());
+}
+
+TEST(Gltf, ProceduralTexturesAreBakedOnceForEachSurface) {
+  const std::string text =
+      scene_text(R"("textures": {"t": {"procedural": "marble"}}, "materials": {"m": {"texture": "t"}})",
+                 kVase + R"(, {"name": "b", "plane": {"size": [1, 1]}, "material": "m"})");
+  const Parsed parsed = glb(text);
+  EXPECT_EQ(parsed.root["images"].size(), 2u);
+  EXPECT_EQ(parsed.root["materials"].size(), 2u);
+  EXPECT_EQ(parsed.file.ledger[Part::kBakes].calls, 2u);
+  EXPECT_EQ(parsed.file.ledger[Part::kBakes].bytes, 2u * 32 * 32 * 3 * 2) << "16-bit RGB";
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const float coordinate : parsed.accessor<float>(parsed.primitive(i)["attributes"]["TEXCOORD_0"])) {
+      EXPECT_GE(coordinate, 0);
+      EXPECT_LE(coordinate, 1);
+    }
+  }
+}
+
+TEST(Gltf, AnImageCostsNoBake) {
+  const Parsed parsed = glb(scene_text(
+      R"("textures": {"t": {"image": "../textures/vase_bands.png"}}, "materials": {"m": {"texture": "t"}})",
+      kVase));
+  EXPECT_EQ(parsed.file.ledger[Part::kBakes].calls, 0u);
+  EXPECT_EQ(parsed.file.ledger[Part::kBakes].bytes, 0u);
+}
+
+TEST(Gltf, ExtensionsAreUsedOnlyByWhatReflectsAndNeverRequired) {
+  const json root = glb(scene_text(R"("materials": {"m": {"reflect": 0.3}})", kVase)).root;
+  EXPECT_EQ(root["extensionsUsed"], json{"KHR_materials_specular"});
+  EXPECT_FALSE(root.contains("extensionsRequired"));
+  const json& factor = root["materials"][0]["extensions"]["KHR_materials_specular"]["specularColorFactor"];
+  EXPECT_NEAR(factor[0].get<double>(), 7.5, 1e-6);
+}
+
+TEST(Gltf, OneObjectAlone) {
+  const std::string text = scene_text(R"("materials": {"m": {}})", kVase + ", " + kFloor);
+  const json root = glb(text, {.object = "floor"}).root;
+  ASSERT_EQ(root["meshes"].size(), 1u);
+  EXPECT_EQ(root["meshes"][0]["name"], "floor");
+  try {
+    glb(text, {.object = "flor"});
+    FAIL() << "there is no such object";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem(), "there is no object \"flor\"; there is \"vase\", \"floor\"");
+  }
+}
+
+TEST(Gltf, TheSameSceneGivesTheSameBytes) {
+  const std::string text = scene_text(
+      R"("textures": {"t": {"procedural": "marble"}}, "materials": {"m": {"texture": "t"}})", kVase);
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    const GltfFile one = make(text, name);
+    const GltfFile two = make(text, name);
+    ASSERT_EQ(one.files.size(), two.files.size());
+    for (std::size_t i = 0; i < one.files.size(); ++i)
+      EXPECT_EQ(one.files[i].bytes, two.files[i].bytes) << one.files[i].name;
+  }
+}
+
+TEST(Gltf, NamesKeepTheirLetters) {
+  const json root =
+      glb(scene_text("", R"({"name": "Krügerl \"buffers\" \u4e2d", "plane": {"size": [1, 1]}})")).root;
+  EXPECT_EQ(root["nodes"][0]["name"], "Krügerl \"buffers\" 中");
+}
+
+TEST(Gltf, StandardOutputIsAGlb) {
+  const GltfFile file = make(scene_text(""), "-");
+  ASSERT_EQ(file.files.size(), 1u);
+  EXPECT_EQ(std::memcmp(file.files[0].bytes.data(), "glTF", 4), 0);
+}
+
+// A hand-made scene, since a document of this size would be slow: one image's worth of bytes too many.
+TEST(Gltf, WhatCannotBeWrittenIsRefused) {
+  const std::vector<glm::vec3> positions(3);
+  const std::vector<glm::vec2> texcoords(3);
+  const std::vector<sweep::Triangle> triangles = {{0, 1, 2}};
+  Scene scene;
+  scene.meshes.push_back({positions, positions, texcoords, triangles, {}, {}, {}});
+  scene.objects.push_back({"a", 0, {}, glm::dmat4(1.0)});
+  const GltfOptions options;
+  EXPECT_NO_THROW(make_gltf(scene, {}, "a.glb", options));
+  scene.objects[0].world_from_object[1][0] = 0.5;
+  EXPECT_THROW(make_gltf(scene, {}, "a.glb", options), InputError) << "sheared";
+  scene.objects[0].world_from_object = glm::dmat4(1.0);
+  scene.meshes[0].triangles = {};
+  EXPECT_THROW(make_gltf(scene, {}, "a.glb", options), InputError) << "no triangles";
+  scene.objects.clear();
+  EXPECT_THROW(make_gltf(scene, {}, "a.glb", options), InputError) << "no objects";
+}
+
+// The bytes are never touched: the size alone is refused. 2^28 vertices would take 3 GiB of positions.
+TEST(Gltf, OverTwoGibibytesIsRefused) {
+  const std::size_t vertices = std::size_t{1} << 28;
+  const std::vector<sweep::Triangle> triangles = {{0, 1, 2}};
+  const glm::vec3 nothing(0.0f);
+  Scene scene;
+  scene.meshes.push_back({{&nothing, 1}, {&nothing, vertices}, {}, triangles, {}, {}, {}});
+  scene.objects.push_back({"a", 0, {}, glm::dmat4(1.0)});
+  try {
+    make_gltf(scene, {}, "a.glb", {});
+    FAIL() << "3 GiB were written";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem(),
+              "the file would be over 2 GiB; ask for fewer cells, smaller images or one object at a time");
+  }
+}
+
+}  // namespace
+}  // namespace sweepkit::scene

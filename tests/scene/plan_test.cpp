@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+
+#include "sweepkit/scene/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scene_text.hpp"
+
+namespace sweepkit::scene {
+namespace {
+
+using Product = Request::Product;
+constexpr Request kPicture{.product = Product::kPicture, .is_filtered = true};
+constexpr Request kFile{.product = Product::kMeshFile};
+
+std::set<Part> needed(const Document& document, const Request& request) {
+  const Plan plan = scene::plan(document, request);
+  std::set<Part> parts;
+  for (std::size_t i = 0; i < kPartCount; ++i) {
+    EXPECT_FALSE(plan.needs[i].why.empty()) << part_name(static_cast<Part>(i));
+    if (plan.needs[i].is_needed) parts.insert(static_cast<Part>(i));
+  }
+  return parts;
+}
+
+// One plane with a material of `material`; the textures are an image, tiles on (u,v) and marble on position.
+Document scene_of(const std::string& material, const std::string& beside = R"("ambient": [1, 1, 1])") {
+  return parse(scene_text(beside +
+                              R"(, "textures": {"image": {"image": "x.png"}, "tiles": {"procedural": "tiles"},
+                             "marble": {"procedural": "marble", "on": "position"}}, "materials": {"m": {)" +
+                              material + "}}",
+                          R"({"name": "a", "material": "m", "plane": {"size": [1, 1]}})"));
+}
+
+TEST(Plan, APlainSceneNeedsNothing) {
+  EXPECT_EQ(needed(scene_of(""), kPicture), std::set<Part>{});
+  EXPECT_EQ(needed(scene_of(""), kFile), std::set<Part>{});
+}
+
+TEST(Plan, AnImageThatIsFilteredNeedsTablesRowsAndTexcoords) {
+  EXPECT_EQ(needed(scene_of(R"("texture": "image")"), kPicture),
+            (std::set{Part::kTextures, Part::kTables, Part::kTexcoords, Part::kFilteredNodes, Part::kRows}));
+}
+
+TEST(Plan, AnImageThatIsNotFilteredNeedsTexcoordsOnly) {
+  EXPECT_EQ(needed(scene_of(R"("texture": "image")"), {.product = Product::kPicture}),
+            (std::set{Part::kTextures, Part::kTexcoords}));
+}
+
+TEST(Plan, ProceduralTexturesNeedNoTable) {
+  EXPECT_EQ(needed(scene_of(R"("texture": "tiles")"), kPicture),
+            (std::set{Part::kTextures, Part::kTexcoords}));
+  EXPECT_EQ(needed(scene_of(R"("texture": "marble")"), kPicture), std::set{Part::kTextures});
+}
+
+TEST(Plan, AFileNeedsTexturesAndBakesButNothingOfAPicture) {
+  EXPECT_EQ(needed(scene_of(R"("texture": "image", "reflect": 0.5)"), kFile), std::set{Part::kTextures});
+  EXPECT_EQ(needed(scene_of(R"("texture": "marble")"), kFile), (std::set{Part::kTextures, Part::kBakes}));
+}
+
+TEST(Plan, ABakeNeedsABake) {
+  EXPECT_EQ(needed(scene_of(R"("texture": "marble")"), {.product = Product::kTexture}),
+            (std::set{Part::kTextures, Part::kBakes}));
+}
+
+TEST(Plan, TreesNeedAReflectionAndADepth) {
+  EXPECT_EQ(needed(scene_of(R"("reflect": 0.5)"), kPicture), std::set{Part::kTrees});
+  EXPECT_EQ(needed(scene_of(R"("reflect": 0.5)", R"("ambient": [1, 1, 1], "depth": 0)"), kPicture),
+            std::set<Part>{});
+}
+
+TEST(Plan, ShadowsNeedALightAndTheDefaultLightIsOne) {
+  EXPECT_EQ(needed(scene_of("", R"("lights": [{"point": [0, 1, 0]}])"), kPicture), std::set{Part::kShadows});
+  EXPECT_EQ(needed(parse(scene_text("")), kPicture), std::set{Part::kShadows});
+  EXPECT_EQ(needed(parse(scene_text(R"("lights": [])")), kPicture), std::set{Part::kShadows});
+}
+
+TEST(Plan, SupersamplingAndHalfEdgesAreThereWhenAskedFor) {
+  EXPECT_EQ(needed(scene_of(""), {.product = Product::kPicture, .is_supersampled = true}),
+            std::set{Part::kSupersampling});
+  EXPECT_EQ(needed(scene_of(""), {.product = Product::kMeshFile, .has_half_edges = true}),
+            std::set{Part::kHalfEdges});
+}
+
+TEST(Plan, TheGridOverObjectsNeedsTwo) {
+  const Document two =
+      parse(scene_text(R"("ambient": [1, 1, 1])", kFloor + R"(, {"name": "b", "plane": {"size": [1, 1]}})"));
+  EXPECT_EQ(needed(two, kPicture), std::set{Part::kGlobalGrid});
+  EXPECT_EQ(needed(two, kFile), std::set<Part>{});
+}
+
+TEST(Plan, MaterialsThatNoObjectHasCountForNothing) {
+  const Document document = parse(scene_text(
+      R"("ambient": [1, 1, 1], "textures": {"t": {"image": "x.png"}}, "materials": {"m": {"texture": "t", "reflect": 1}})"));
+  EXPECT_EQ(needed(document, kPicture), std::set<Part>{});
+  EXPECT_EQ(plan(document, kPicture).textures, std::vector{false});
+}
+
+TEST(Plan, TablesAreForTheImagesInUse) {
+  const Plan plan = scene::plan(scene_of(R"("texture": "image")"), kPicture);
+  EXPECT_EQ(plan.textures, (std::vector{true, false, false}));
+  EXPECT_EQ(plan.tables, (std::vector{true, false, false}));
+  EXPECT_EQ(scene::plan(scene_of(R"("texture": "tiles")"), kPicture).tables,
+            (std::vector{false, false, false}));
+}
+
+TEST(Plan, PartsHaveNamesOfTheirOwn) {
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < kPartCount; ++i) names.insert(part_name(static_cast<Part>(i)));
+  EXPECT_EQ(names.size(), kPartCount);
+  EXPECT_EQ(names.count(""), 0u);
+}
+
+TEST(Ledger, AddsBytesAndCalls) {
+  Ledger a;
+  a[Part::kTables] = {10, 1};
+  Ledger b;
+  b[Part::kTables] = {5, 2};
+  b[Part::kRows] = {std::uint64_t{1} << 40, 3};
+  a.add(b);
+  EXPECT_EQ(a[Part::kTables].bytes, 15u);
+  EXPECT_EQ(a[Part::kTables].calls, 3u);
+  EXPECT_EQ(a[Part::kRows].bytes, std::uint64_t{1} << 40);
+  EXPECT_EQ(a[Part::kTrees].calls, 0u);
+}
+
+}  // namespace
+}  // namespace sweepkit::scene

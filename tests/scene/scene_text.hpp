@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "sweepkit/scene/document.hpp"
+
+namespace sweepkit::scene {
+
+inline const std::string kFloor = R"({"name": "floor", "plane": {"size": [1, 1]}})";
+
+/// A scene of one line, `objects` and what else stands beside them.
+inline std::string scene_text(const std::string& beside, const std::string& objects = kFloor) {
+  return R"({"sweepkit": 1, )" + beside + (beside.empty() ? "" : ", ") + R"("objects": [)" + objects + "]}";
+}
+
+inline Document parse(const std::string& text, const std::vector<Setting>& settings = {}) {
+  return parse_document(text, "folder/s.json", settings);
+}
+
+/// What the InputError says that reading the text ends in, or "" if it is read.
+inline std::string fault_of(const std::string& text, const std::vector<Setting>& settings = {}) {
+  try {
+    parse_document(text, "s.json", settings);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace sweepkit::scene
