@@ -140,7 +140,9 @@ FramesAlong rotation_minimizing_frames(const Curve3& trajectory, std::span<const
   // What the loop has turned the frame by when it comes home, spread over its length.
   const Frame& end = along.frames.back().in;
   const glm::dvec3 home = turn_normal(end.normal, end.tangent, start.tangent);
-  const double leftover = std::atan2(glm::dot(home, start.binormal), glm::dot(home, start.normal));
+  double leftover = std::atan2(glm::dot(home, start.binormal), glm::dot(home, start.normal));
+  // A loop in a plane, or any other that mirrors itself, comes home as it left: what is left over is rounding.
+  if (std::abs(leftover) <= kStepAgreement) leftover = 0;
   along.closing_rate = -leftover / trajectory.length();
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = along.closing_rate * stations[i].length;
