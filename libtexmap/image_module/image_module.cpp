@@ -29,6 +29,13 @@ std::string last_error() {
   return text.empty() ? "not an image that can be read" : text;
 }
 
+// geterror() forgets what it has told once; an empty text would read as success here.
+template <class File>
+std::string error_of(const File& file, const char* otherwise) {
+  std::string text = file.geterror();
+  return text.empty() ? otherwise : text;
+}
+
 std::unique_ptr<OIIO::ImageInput> open(const std::string& file, std::string& problem) {
   OIIO::attribute("threads", 1);
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file);
@@ -102,7 +109,7 @@ std::string read(const std::string& file, ModuleImage& image) try {
     is_read = input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, samples.data());
     image.samples = std::move(samples);
   }
-  if (!is_read) return input->geterror().empty() ? "its pixels cannot be read" : input->geterror();
+  if (!is_read) return error_of(*input, "its pixels cannot be read");
   return {};
 } catch (const std::exception& error) {
   return error.what();
@@ -144,10 +151,10 @@ std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes
   const auto output = OIIO::ImageOutput::create(name, &memory);
   if (!output) return last_error();
   if (!output->supports("ioproxy")) return "the " + extension + " encoder cannot write to memory";
-  if (!output->open(name, spec)) return output->geterror();
+  if (!output->open(name, spec)) return error_of(*output, "the encoder does not take the image");
   const bool is_written = is_exr ? output->write_image(OIIO::TypeDesc::FLOAT, encoding.floats)
                                  : output->write_image(OIIO::TypeDesc::UINT8, encoding.bytes);
-  if (!is_written || !output->close()) return output->geterror();
+  if (!is_written || !output->close()) return error_of(*output, "the encoder fails");
   bytes.resize(buffer.size());
   std::memcpy(bytes.data(), buffer.data(), buffer.size());
   return {};

@@ -50,7 +50,7 @@ class SameBytes : public testing::TestWithParam<std::vector<std::string>> {};
 TEST_P(SameBytes, ComeOutTwiceInARow) {
   const auto first = files_made(GetParam());
   EXPECT_FALSE(first.empty());
-  for (const auto& [name, bytes] : first) EXPECT_FALSE(bytes.empty()) << name;
+  for (const auto& [name, digest] : first) EXPECT_NE(digest.substr(0, 2), "0 ") << name;
   EXPECT_EQ(first, files_made(GetParam()));
 }
 

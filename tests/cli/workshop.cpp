@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <stdexcept>
 
@@ -22,6 +23,11 @@ std::string read_whole(const std::filesystem::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+// Short enough to read in a failed test's message.
+std::string digest(const std::string& bytes) {
+  return std::to_string(bytes.size()) + " bytes, hash " + std::to_string(std::hash<std::string>()(bytes));
 }
 
 // In the child: never returns.
@@ -74,7 +80,7 @@ std::map<std::string, std::string> Workshop::contents() const {
   std::map<std::string, std::string> contents;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
     const std::string name = std::filesystem::relative(entry.path(), folder_);
-    contents[name] = entry.is_regular_file() ? read_whole(entry.path()) : "(no file)";
+    contents[name] = entry.is_regular_file() ? digest(read_whole(entry.path())) : "(no file)";
   }
   return contents;
 }

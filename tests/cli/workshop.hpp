@@ -31,7 +31,8 @@ class Workshop {
   const std::filesystem::path& folder() const { return folder_; }
   void write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const;
-  /// Everything in the folder, with contents: equal before and after where nothing was left behind.
+  /// Everything in the folder, each file with its size and a hash: equal before and after where nothing was
+  /// left behind.
   std::map<std::string, std::string> contents() const;
 
   Outcome sweepkit(const std::vector<std::string>& arguments) const;

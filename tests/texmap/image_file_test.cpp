@@ -102,13 +102,12 @@ TEST_F(ImageFile, RefusesWhatIsNoImageByName) {
   }
 }
 
-TEST_F(ImageFile, ATruncatedPngIsRefusedOrDecodedAtEveryLength) {
+TEST_F(ImageFile, RefusesATruncatedPngAtEveryLength) {
   const std::vector<std::byte> whole = encode_image(ramp(), ImageFormat::kPng);
-  for (std::size_t length = 0; length < whole.size(); length += 7) {
+  // The last chunk, 12 bytes, says only that the file ends; a picture without it is whole.
+  for (std::size_t length = 0; length < whole.size() - 12; ++length) {
     const auto file = write("cut.png", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)});
-    const std::string text = message(file);
-    const bool has_pixels = length >= 60;  // past the header and its first chunks
-    EXPECT_TRUE(has_pixels || text != "no error") << length;
+    EXPECT_EQ(message(file).find(file.string() + ": cannot be read as an image: "), 0u) << length;
   }
 }
 
