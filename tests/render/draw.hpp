@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sweepkit/render/render.hpp"
+#include "sweepkit/scene/document.hpp"
+#include "sweepkit/scene/model.hpp"
+#include "sweepkit/scene/plan.hpp"
+
+namespace sweepkit::render::test {
+
+inline scene::Plan plan_for(const scene::Document& document, const Options& options) {
+  return scene::plan(document, {.product = scene::Request::Product::kPicture,
+                                .is_filtered = options.filter != Filter::kPoint,
+                                .is_supersampled = options.supersampling > 1});
+}
+
+/// A scene from text, ready to be drawn again and again; its parts may be changed in between.
+struct Stage {
+  explicit Stage(const std::string& text) : document(scene::parse_document(text, "test.json")) {
+    model = scene::build(document, plan_for(document, {}));
+  }
+  Picture draw(const Options& options = {}) const {
+    return render(model.scene, plan_for(document, options), options);
+  }
+
+  /// A float texture in place of one of the scene's, which names a procedural.
+  void set_texture(std::size_t index, texmap::Image image) {
+    model.scene.textures[index] =
+        texmap::ImageTexture{std::make_shared<const texmap::Image>(std::move(image)), texmap::Wrap::kRepeat};
+    document.textures[index].source = scene::ImageEntry{};
+  }
+
+  scene::Document document;
+  scene::Model model;
+};
+
+inline const std::vector<float>& texels(const Picture& picture) {
+  return std::get<std::vector<float>>(picture.image.texels);
+}
+
+}  // namespace sweepkit::render::test

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "draw.hpp"
+
+namespace sweepkit::render {
+namespace {
+
+using scene::Part;
+using test::Stage;
+
+void expect_nothing(const scene::Ledger& ledger, Part part) {
+  EXPECT_EQ(ledger[part].bytes, 0u) << scene::part_name(part);
+  EXPECT_EQ(ledger[part].calls, 0u) << scene::part_name(part);
+}
+
+TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrGlobalGrid) {
+  const Stage stage(
+      R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
+    "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
+  const Picture picture = stage.draw();
+  for (const Part part :
+       {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTexcoords,
+        Part::kFilteredNodes, Part::kRows, Part::kTrees, Part::kSupersampling, Part::kGlobalGrid}) {
+    expect_nothing(picture.ledger, part);
+    expect_nothing(stage.model.ledger, part);
+  }
+  EXPECT_GT(picture.ledger[Part::kShadows].calls, 0u);
+}
+
+TEST(LeavingOut, WithoutALightThereIsNoShadowRay) {
+  const Stage stage(
+      R"({"sweepkit": 1, "ambient": [1, 1, 1], "camera": {"width": 32, "height": 32}, "objects": [{"name": "p", "plane": {"size": [1, 1]}}]})");
+  const Picture picture = stage.draw();
+  expect_nothing(picture.ledger, Part::kShadows);
+  EXPECT_EQ(picture.statistics.shadow_rays, 0u);
+}
+
+TEST(LeavingOut, EveryPartThatIsNeededShowsUp) {
+  Stage stage(R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
+    "textures": {"t": {"procedural": "checker"}}, "materials": {"m": {"texture": "t", "reflect": 0.5}},
+    "objects": [{"name": "a", "material": "m", "plane": {"size": [4, 4]}}, {"name": "b", "translate": [0, 1, 0], "plane": {"size": [1, 1]}}]})");
+  stage.set_texture(0, texmap::Image{4, 4, 1, std::vector<std::uint16_t>(16, 30000)});
+  const Picture picture = stage.draw({.supersampling = 3});
+  for (const Part part : {Part::kTables, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
+                          Part::kShadows, Part::kSupersampling, Part::kGlobalGrid}) {
+    EXPECT_GT(picture.ledger[part].calls, 0u) << scene::part_name(part);
+  }
+}
+
+TEST(LeavingOut, DoesNotChangeThePicture) {
+  // The same scene with everything that can be left out switched on.
+  const Stage stage(
+      R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 48, "height": 48},
+    "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
+  scene::Plan everything = test::plan_for(stage.document, {});
+  for (const Part part :
+       {Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees, Part::kGlobalGrid}) {
+    everything.needs[static_cast<std::size_t>(part)].is_needed = true;
+  }
+  EXPECT_EQ(test::texels(stage.draw()), test::texels(render(stage.model.scene, everything, {})));
+}
+
+}  // namespace
+}  // namespace sweepkit::render

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "tracer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "draw.hpp"
+#include "sweepkit/sweep/sweep.hpp"
+
+namespace sweepkit::render {
+namespace {
+
+const char* const kCrowd = R"({"sweepkit": 1, "objects": [
+  {"name": "floor", "plane": {"size": [8, 8]}, "tessellation": {"contour": 3, "trajectory": 5}},
+  {"name": "torus", "translate": [0.3, 0.7, 0], "rotate_deg": [30, 20, 10], "scale": [1, 2, 0.5],
+   "tessellation": {"contour": 16, "trajectory": 40}, "sweep": {"contour": {"circle": {"radius": 0.2}}, "trajectory": {"circle": {"radius": 0.8}}}},
+  {"name": "cone", "translate": [-1, 0, 1], "tessellation": {"contour": 9, "trajectory": 30}, "revolve": {"contour": {"polyline": [[0, 0], [0.7, 0], [0, 1.5]]}}},
+  {"name": "same floor", "plane": {"size": [8, 8]}}]})";
+
+std::vector<Ray> rays_at(const scene::Scene& scene, int count) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> real(-1, 1);
+  std::vector<Ray> rays;
+  for (int n = 0; n < count; ++n) {
+    const glm::dvec3 origin(4 * real(random), 2 + 2 * real(random), 4 * real(random));
+    glm::dvec3 direction(real(random), real(random), real(random));
+    switch (n % 4) {
+      case 0:
+        break;
+      case 1:
+        direction[n % 3] = n % 8 < 4 ? 0.0 : -0.0;
+        break;
+      case 2: {  // exactly through a vertex
+        const scene::Object& object = scene.objects[static_cast<std::size_t>(n) % scene.objects.size()];
+        const scene::MeshView& mesh = scene.meshes[object.mesh];
+        const glm::vec3& vertex = mesh.positions[static_cast<std::size_t>(n) % mesh.positions.size()];
+        direction =
+            glm::dvec3(object.world_from_object * glm::dvec4(glm::dvec3(vertex) + mesh.origin, 1)) - origin;
+        break;
+      }
+      default:
+        direction = glm::dvec3(0.0);
+        direction[n % 3] = n % 8 < 4 ? 1 : -1;
+    }
+    rays.push_back({origin, direction});
+  }
+  return rays;
+}
+
+TEST(Tracer, GridsFindTheSameHitsAsALinearScanToTheBit) {
+  const test::Stage stage(kCrowd);
+  const Tracer grids(stage.model.scene, true, Tracer::Search::kGrids);
+  const Tracer without_global(stage.model.scene, false, Tracer::Search::kGrids);
+  const Tracer linear(stage.model.scene, false, Tracer::Search::kLinear);
+  int hits = 0;
+  for (const Ray& ray : rays_at(stage.model.scene, 20000)) {
+    const Hit expected = linear.nearest(ray);
+    hits += expected.is_hit() ? 1 : 0;
+    for (const Tracer* tracer : {&grids, &without_global}) {
+      const Hit hit = tracer->nearest(ray);
+      ASSERT_EQ(hit.object, expected.object);
+      ASSERT_EQ(hit.triangle, expected.triangle);
+      ASSERT_EQ(hit.t, expected.t);
+      ASSERT_EQ(hit.a, expected.a);
+      ASSERT_EQ(tracer->is_blocked(ray, 2), linear.is_blocked(ray, 2));
+    }
+  }
+  EXPECT_GT(hits, 5000);
+}
+
+TEST(Tracer, TiesGoToTheLowerObject) {
+  const test::Stage stage(kCrowd);  // two floors in one place
+  const Tracer tracer(stage.model.scene, true, Tracer::Search::kGrids);
+  EXPECT_EQ(tracer.nearest({{3, 1, 3}, {0, -1, 0}}).object, 0u);
+}
+
+// A closed sphere seen from inside has no way out, through a vertex, an edge or a face, at the origin or far
+// from it.
+TEST(Tracer, AClosedSphereLeaksNoRay) {
+  const sweep::Mesh sphere = sweep::revolve(
+      sweep::Curve2({sweep::ArcSegment<2>{{0, 0}, {1, 0}, {0, 1}, -90, 90}}), {.tessellation = {100, 200}});
+  for (const glm::dvec3& offset : {glm::dvec3(0.0), glm::dvec3(1e3, 0, -1e3)}) {
+    scene::Scene scene;
+    scene.meshes.push_back({sphere.positions(),
+                            sphere.normals(),
+                            sphere.texcoords(),
+                            sphere.triangles,
+                            sphere.patches,
+                            sphere.areas,
+                            {}});
+    glm::dmat4 placement(1.0);
+    placement[3] = glm::dvec4(offset, 1);
+    scene.objects.push_back({"sphere", 0, {}, placement});
+    const Tracer tracer(scene, false, Tracer::Search::kGrids);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> real(0, 1);
+    int misses = 0;
+    for (int n = 0; n < 100000; ++n) {
+      const sweep::Triangle& t = sphere.triangles[random() % sphere.triangles.size()];
+      const glm::dvec3 a(sphere.positions()[t[0]]);
+      const glm::dvec3 b(sphere.positions()[t[1]]);
+      const glm::dvec3 c(sphere.positions()[t[2]]);
+      const double s = real(random);
+      const glm::dvec3 aim = n % 3 == 0 ? a : n % 3 == 1 ? (1 - s) * a + s * b : (a + b + c) / 3.0;
+      const glm::dvec3 from(0.4 * real(random) - 0.2, 0.4 * real(random) - 0.2, 0.4 * real(random) - 0.2);
+      if (!tracer.nearest({offset + from, aim - from}).is_hit()) ++misses;
+    }
+    EXPECT_EQ(misses, 0);
+  }
+}
+
+TEST(Tracer, ARayWithoutNumbersHitsNothing) {
+  const test::Stage stage(kCrowd);
+  const Tracer tracer(stage.model.scene, true, Tracer::Search::kGrids);
+  const double nan = std::nan("");
+  EXPECT_FALSE(tracer.nearest({{nan, 0, 0}, {0, -1, 0}}).is_hit());
+  EXPECT_FALSE(tracer.nearest({{0, 1, 0}, {nan, nan, nan}}).is_hit());
+}
+
+}  // namespace
+}  // namespace sweepkit::render
