@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "sweepkit/sweep/mesh.hpp"
 
-#include <cmath>
+#include <cassert>
 
 namespace sweepkit::sweep {
 
@@ -31,18 +31,23 @@ std::span<glm::vec2> Mesh::texcoords() {
   return {reinterpret_cast<glm::vec2*>(const_cast<TexCoord2D*>(texcoords2D())), n_vertices()};
 }
 
+// OpenMesh keeps a byte for every item's own data, even where the traits give it none.
+constexpr std::size_t kItemData = 1;
+
 std::size_t Mesh::half_edge_bytes() const {
-  // Vertices, edges and faces of the connectivity: handles alone. A vertex has its handle whether edges exist
-  // or not.
-  return n_edges() * sizeof(OpenMesh::ArrayItems::Edge) + n_faces() * sizeof(OpenMesh::ArrayItems::Face);
+  // Edges and faces of the connectivity. A vertex has its handle whether edges exist or not.
+  return n_edges() * (sizeof(OpenMesh::ArrayItems::Edge) + 3 * kItemData) +
+         n_faces() * (sizeof(OpenMesh::ArrayItems::Face) + kItemData);
 }
 
 std::size_t Mesh::bytes() const {
-  return n_vertices() * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(OpenMesh::ArrayItems::Vertex)) +
-         triangles.size() * sizeof(Triangle) + half_edge_bytes();
+  constexpr std::size_t kVertexBytes =
+      2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(OpenMesh::ArrayItems::Vertex) + kItemData;
+  return n_vertices() * kVertexBytes + triangles.size() * sizeof(Triangle) + half_edge_bytes();
 }
 
 void append(Mesh& mesh, const Mesh& part, const glm::dmat4& mesh_from_part) {
+  assert(mesh.triangles.empty() || part.triangles.empty() || (mesh.n_faces() > 0) == (part.n_faces() > 0));
   const glm::dmat3 linear(mesh_from_part);
   const glm::dmat3 normal_from_part = glm::transpose(glm::inverse(linear));
   const bool is_mirrored = glm::determinant(linear) < 0;

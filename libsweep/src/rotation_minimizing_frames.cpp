@@ -141,7 +141,8 @@ FramesAlong rotation_minimizing_frames(const Curve3& trajectory, std::span<const
   const Frame& end = along.frames.back().in;
   const glm::dvec3 home = turn_normal(end.normal, end.tangent, start.tangent);
   double leftover = std::atan2(glm::dot(home, start.binormal), glm::dot(home, start.normal));
-  // A loop in a plane, or any other that mirrors itself, comes home as it left: what is left over is rounding.
+  // A loop in a plane, or any other that mirrors itself, comes home as it left: what is left over is
+  // rounding.
   if (std::abs(leftover) <= kStepAgreement) leftover = 0;
   along.closing_rate = -leftover / trajectory.length();
   for (std::size_t i = 0; i < count; ++i) {

@@ -146,10 +146,13 @@ std::vector<Row> make_rows(const Curve3& trajectory, const std::vector<Station>&
   }
   if (trajectory.is_closed()) {
     // One place, the same bits.
-    rows.back().center = rows.front().center;
-    rows.back().x_axis = rows.front().x_axis;
-    rows.back().y_axis = rows.front().y_axis;
-    if (!rows.front().is_corner) rows.back().in = rows.back().out = rows.front().in;
+    Row& first = rows.front();
+    if (first.is_corner) {
+      first.in = rows.back().in;
+    } else {
+      first.out = first.in;
+    }
+    rows.back() = first;
   }
   return rows;
 }

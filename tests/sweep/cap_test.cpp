@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -78,6 +79,67 @@ TEST(Cap, CoversRandomStarShapedOutlines) {
     }
     expect_covers(outline);
   }
+}
+
+TEST(Cap, CoversATurnedSquareWhosePointsAreOffItsSidesByRounding) {
+  for (int turn = 1; turn < 40; ++turn) {
+    const double c = std::cos(0.1 * turn);
+    const double s = std::sin(0.1 * turn);
+    std::vector<glm::dvec2> square;
+    const auto add = [&](double x, double y) { square.push_back({c * x - s * y, s * x + c * y}); };
+    for (int i = 0; i < 7; ++i) add(i / 7.0, 0);
+    for (int i = 0; i < 7; ++i) add(1, i / 7.0);
+    for (int i = 0; i < 7; ++i) add(1 - i / 7.0, 1);
+    for (int i = 0; i < 7; ++i) add(0, 1 - i / 7.0);
+    expect_covers(square);
+    // Each at least a thousandth of the cell's area: none that float32 would flatten.
+    for (const Triangle& t : triangulate_polygon(square)) {
+      EXPECT_GT(twice_signed_area(std::vector<glm::dvec2>{square[t[0]], square[t[1]], square[t[2]]}),
+                1e-3 / 49);
+    }
+  }
+}
+
+TEST(Cap, CoversASpiralOfTwoArms) {
+  // Two walls 0.1 apart wound three times about each other: long, thin and concave everywhere.
+  std::vector<glm::dvec2> spiral;
+  const int n = 300;
+  for (int i = 0; i <= n; ++i) {
+    const double angle = 6 * std::numbers::pi * i / n;
+    spiral.push_back({(1 + 0.1 * angle) * std::cos(angle), (1 + 0.1 * angle) * std::sin(angle)});
+  }
+  for (int i = n; i >= 0; --i) {
+    const double angle = 6 * std::numbers::pi * i / n;
+    spiral.push_back({(0.9 + 0.1 * angle) * std::cos(angle), (0.9 + 0.1 * angle) * std::sin(angle)});
+  }
+  if (twice_signed_area(spiral) < 0) std::reverse(spiral.begin(), spiral.end());
+  expect_covers(spiral);
+}
+
+TEST(Cap, CoversAnOutlineOfAsManyCellsAsThereMayBe) {
+  // A search of every vertex for every ear would take minutes here.
+  std::vector<glm::dvec2> flower;
+  const int n = 32768;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    const double r = 1 + 0.4 * std::cos(9 * angle);
+    flower.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
+  const std::vector<Triangle> triangles = triangulate_polygon(flower);
+  ASSERT_EQ(triangles.size(), flower.size() - 2);
+  double sum = 0;
+  for (const Triangle& t : triangles)
+    sum += twice_signed_area(std::vector<glm::dvec2>{flower[t[0]], flower[t[1]], flower[t[2]]});
+  EXPECT_NEAR(sum, twice_signed_area(flower), 1e-9);
+}
+
+TEST(Cap, OfAnOutlineThatCrossesItselfStillUsesEveryVertexAndEnds) {
+  const std::vector<glm::dvec2> bow = {{0, 0}, {2, 2}, {2, 0}, {0, 2}, {-1, 1}};
+  std::set<std::uint32_t> used;
+  const std::vector<Triangle> triangles = triangulate_polygon(bow);
+  for (const Triangle& t : triangles) used.insert(t.begin(), t.end());
+  EXPECT_EQ(triangles.size(), 3u);
+  EXPECT_EQ(used.size(), 5u);
 }
 
 }  // namespace

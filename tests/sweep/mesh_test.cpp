@@ -33,6 +33,43 @@ TEST(Mesh, AppendMovesPositionsNormalsAndKeepsTheOutside) {
   EXPECT_LT(after.worst_normal_length, 1e-6);
 }
 
+TEST(Mesh, AppendsWithoutHalfEdgesToo) {
+  const Mesh part = plane({1, 1}, {.tessellation = {2, 2}, .has_half_edges = false});
+  Mesh whole;
+  append(whole, part, glm::dmat4(1.0));
+  append(whole, part, glm::dmat4(1.0));
+  EXPECT_EQ(whole.n_vertices(), 18u);
+  EXPECT_EQ(whole.triangles.size(), 16u);
+  EXPECT_EQ(whole.half_edge_bytes(), 0u);
+  EXPECT_EQ(whole.patches[1].vertex(0, 0), 9u);
+  EXPECT_EQ(whole.patches[1].first_triangle, 8u);
+  EXPECT_EQ(whole.patches[1].area, 1u);
+  EXPECT_EQ(whole.areas[1].first_triangle, 8u);
+}
+
+TEST(Mesh, TellsTheBytesThatOpenMeshHolds) {
+  for (const bool has_half_edges : {false, true}) {
+    const Mesh mesh = sweep(circle_contour(0.3), circle_trajectory(1),
+                            {.tessellation = {16, 32}, .has_half_edges = has_half_edges});
+    // Handles: a vertex has one (a half-edge), a half-edge four (face, end, next, previous), a face one.
+    std::size_t held = mesh.triangles.size() * sizeof(Triangle) +
+                       sizeof(int) * (mesh.n_vertices() + 4 * mesh.n_halfedges() + mesh.n_faces());
+    const auto add = [&](auto property, auto end, std::size_t count) {
+      for (; property != end; ++property) {
+        // The items' own data is an empty struct, whose size OpenMesh tells nobody: a byte.
+        if (*property != nullptr)
+          held += count * ((*property)->element_size() < 100 ? (*property)->element_size() : 1);
+      }
+    };
+    add(mesh.vprops_begin(), mesh.vprops_end(), mesh.n_vertices());
+    add(mesh.hprops_begin(), mesh.hprops_end(), mesh.n_halfedges());
+    add(mesh.eprops_begin(), mesh.eprops_end(), mesh.n_edges());
+    add(mesh.fprops_begin(), mesh.fprops_end(), mesh.n_faces());
+    EXPECT_EQ(mesh.bytes(), held);
+    EXPECT_EQ(mesh.half_edge_bytes() > 0, has_half_edges);
+  }
+}
+
 TEST(Mesh, TheSameInputGivesTheSameBytes) {
   const auto make = [] {
     return sweep(circle_contour(0.3), circle_trajectory(1), {.tessellation = {33, 65}});

@@ -43,8 +43,8 @@ using Segment = std::variant<BezierSegment<D>, ArcSegment<D>>;
 template <int D>
 CurvePoint<D> evaluate(const Segment<D>& segment, double t);
 
-/// The unit direction of travel at t; at a cusp or a repeated control point the limit (from the left at t =
-/// 1, else from the right), never NaN for a segment of positive length.
+/// The unit direction of travel at t; at a cusp or a repeated control point its limit (from the left at t =
+/// 1, from the right at t = 0, from either at a cusp between), never NaN for a segment of positive length.
 template <int D>
 Vector<D> tangent(const Segment<D>& segment, double t);
 

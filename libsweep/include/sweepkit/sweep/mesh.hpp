@@ -42,8 +42,9 @@ class Mesh : public OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
   std::size_t half_edge_bytes() const;
 };
 
-/// Appends `part`, moved by `mesh_from_part` (affine; a mirroring one turns the triangles round), with its
-/// patches, areas and half-edges.
+/// Appends `part`, moved by `mesh_from_part` (affine and invertible; a mirroring one turns the triangles
+/// round), with its patches, areas and half-edges. Precondition: both have half-edges or neither, unless one
+/// is empty.
 void append(Mesh& mesh, const Mesh& part, const glm::dmat4& mesh_from_part);
 
 }  // namespace sweepkit::sweep

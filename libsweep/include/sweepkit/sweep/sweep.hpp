@@ -12,18 +12,28 @@ namespace sweepkit::sweep {
 
 /// The contour's x,y plane carried along the trajectory in rotation-minimizing frames (N, B, T): x on N, y on
 /// B. At the start B is +Y made perpendicular to T, or -Z where T is along +-Y. A closed trajectory closes
-/// its frame: the leftover angle is spread by arc length. Corners of the trajectory are mitred. u follows the
-/// contour, v the trajectory. Triangles face outwards: the exterior of a closed contour however it is drawn,
-/// the right-hand side of an open one. Throws InputError for cell counts out of range, a mitre at a reversal,
-/// a mesh over 2^32 vertices.
+/// its frame: the leftover angle is spread by arc length. Corners of the trajectory are mitred, the section
+/// perpendicular to each side kept.
+///
+/// Triangles face outwards: the exterior of a closed contour however it is drawn, the right-hand side of an
+/// open one. u follows the contour and v the trajectory, so that textures are not mirrored seen from outside:
+/// a closed contour drawn clockwise is therefore walked the other way, and u runs against the drawing. Caps
+/// have (u,v) of their own, the outline fitted into 0..1, y upwards.
+///
+/// Throws InputError for cell counts out of range (1 to kMaxCells; a closed curve needs 3), a closed contour
+/// that lies on one line, a mitre at a reversal, crease_deg outside of 0 to 180, a repeat that is not finite,
+/// more triangles than 32-bit half-edges can number (715 million).
 Mesh sweep(const Curve2& contour, const Curve3& trajectory, const SweepOptions& options = {});
 
-/// The contour (distance from the axis, height) turned about +Y. u runs round the turn, v along the contour.
-/// A contour point on the axis is a pole. Throws InputError when the contour crosses the axis, or as sweep()
-/// does.
+/// The contour (distance from the axis, height) turned about +Y, counter-clockwise seen from +Y. u runs round
+/// the turn, to the right seen from outside, v along the contour. Outside is as for sweep(): a vase drawn
+/// upwards faces out. A vertex on the axis is a pole (see GridPatch); what of the contour lies on the axis
+/// has no surface. Throws InputError where a vertex is beyond the axis (x < 0), where all are on it, for an
+/// angle outside of 0 to 360, or as sweep() does.
 Mesh revolve(const Curve2& contour, const RevolveOptions& options = {});
 
 /// A rectangle of size (x, z) metres in the x,z plane about the origin, facing +Y, u along x, v along -z.
+/// Throws InputError unless both are above 0 and finite, and for cell counts out of range.
 Mesh plane(glm::dvec2 size, const PlaneOptions& options = {});
 
 }  // namespace sweepkit::sweep
