@@ -114,6 +114,57 @@ TEST(Revolve, RefusesWhatItCannotTurn) {
   EXPECT_THROW(revolve(half_circle(1), {.tessellation = {8, 2}}), InputError);
 }
 
+TEST(Revolve, SaysWhatItRefusesAndWhatWouldDo) {
+  const auto message = [](const Curve2& contour, const RevolveOptions& options) {
+    try {
+      revolve(contour, options);
+    } catch (const InputError& error) {
+      return error.problem();
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(
+      message(polyline<2>({{-0.5, 3}, {1, 1}}, false), {}),
+      "contour crosses the axis: x is -0.5 m at height 3 m; keep x, the distance from it, at 0 or above");
+  EXPECT_EQ(message(half_circle(1), {.tessellation = {1, 8}}),
+            "contour has all its 2 vertices on the axis; move it away from x = 0 or give it more cells");
+  EXPECT_EQ(message(half_circle(1), {.angle_deg = 400}),
+            "angle_deg needs to be above 0 and at most 360, got 400");
+  EXPECT_EQ(message(half_circle(1), {.tessellation = {8, 2}}),
+            "the whole turn is closed and needs at least 3 cells, got 2");
+  EXPECT_EQ(message(half_circle(1), {.tessellation = {8, 40000}}),
+            "tessellation along the turn needs 1 to 32768 cells, got 40000");
+}
+
+TEST(Revolve, AClosedContourOnTheAxisGivesASolidWithoutInnerWalls) {
+  // A half disc whose straight side is the axis: a whole turn gives the ball, half a turn half of it with two
+  // caps.
+  const Curve2 half_disc(
+      {ArcSegment<2>{{0, 0}, {1, 0}, {0, 1}, -90, 90}, BezierSegment<2>{{{0, 1}, {0, -1}}}});
+  const Measures ball = measure(revolve(half_disc, {.tessellation = {96, 128}}));
+  EXPECT_EQ(ball.open_edges, 0u);
+  EXPECT_EQ(ball.euler, 2);
+  EXPECT_GT(ball.smallest_triangle, 0);
+  const Measures half = measure(revolve(half_disc, {.tessellation = {96, 64}, .angle_deg = 180}));
+  EXPECT_EQ(half.open_edges, 0u);
+  EXPECT_EQ(half.euler, 2);
+  EXPECT_NEAR(half.volume, ball.volume / 2, 1e-5);
+}
+
+TEST(Revolve, VolumeConvergesInSecondOrder) {
+  // Pappus: an ellipse of half axes 0.5 and 1 about an axis 2 away has 2 pi 2 times pi 0.5.
+  const Curve2 ellipse({ArcSegment<2>{{2, 0}, {0.5, 0}, {0, 1}, 0, 360}});
+  const double exact = 2 * kPi * 2 * kPi * 0.5;
+  double before = 0;
+  for (const int cells : {32, 64, 128}) {
+    const double error = exact - measure(revolve(ellipse, {.tessellation = {cells, cells}})).volume;
+    if (before > 0) {
+      EXPECT_NEAR(before / error, 4, 0.05) << cells;
+    }
+    before = error;
+  }
+}
+
 TEST(Plane, FacesUpWithUAlongXAndVAlongMinusZ) {
   const Mesh floor = plane({2, 3}, {.tessellation = {3, 4}, .uv = {.repeat = {5, 7}}});
   const GridPatch& patch = floor.patches.at(0);

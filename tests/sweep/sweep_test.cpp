@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "mesh_measures.hpp"
 #include "sweepkit/error.hpp"
@@ -218,6 +219,108 @@ TEST(Sweep, ScalesByPowersOfTwoToTheBit) {
       EXPECT_EQ(one.normals()[i], other.normals()[i]);
     }
   }
+}
+
+TEST(Sweep, SmoothSeamCornersHaveTheSameBitsToo) {
+  // A crease angle above every bend: one patch whose first and last row stand on a mitre of a twisted loop.
+  const Mesh loop = sweep(Curve2({ArcSegment<2>{{0.2, 0.1}, {0.3, 0}, {0, 0.3}, 0, 360}}),
+                          polyline<3>({{0, 0, 0}, {2, 0, 0}, {2.5, 2, 1.5}, {0, 2, -1}}, true),
+                          {.tessellation = {12, 24}, .crease_deg = 180});
+  ASSERT_EQ(loop.patches.size(), 1u);
+  const GridPatch& patch = loop.patches[0];
+  for (std::uint32_t i = 0; i <= patch.columns; ++i) {
+    EXPECT_EQ(loop.positions()[patch.vertex(i, 0)], loop.positions()[patch.vertex(i, patch.rows)]);
+    EXPECT_EQ(loop.normals()[patch.vertex(i, 0)], loop.normals()[patch.vertex(i, patch.rows)]);
+  }
+  EXPECT_EQ(measure(loop).open_edges, 0u);
+}
+
+TEST(Sweep, NormalsStayFiniteAndUnitWhereTheSurfaceShrinksToAPoint) {
+  // A horn torus: all rings meet in the middle.
+  const Mesh horn = sweep(circle_contour(1), circle_trajectory(1), {.tessellation = {16, 32}});
+  EXPECT_LT(measure(horn).worst_normal_length, 1e-6);
+  // A contour that turns right back on itself, at any crease angle; a trajectory with a cusp and a closed one
+  // with a bend far tighter than the contour is wide.
+  const Curve2 hook = polyline<2>({{0, 0}, {1, 0}, {0.5, 0}}, false);
+  const Curve3 cusp = bezier_curve<3>({{1, -1, 0}, {-1.0 / 3, 1, 0}, {-1.0 / 3, -1, 0}, {1, 1, 0}});
+  const Curve3 tight = free_curve<3>({{0, 0, 0}, {1, 0, 0}, {1, 0.01, 0.01}, {0, 0.3, 0.5}}, true);
+  for (const Curve3& path : {cusp, tight}) {
+    for (const Curve2& contour : {hook, circle_contour(0.7)}) {
+      const Mesh mesh = sweep(contour, path, {.tessellation = {16, 64}, .crease_deg = 180});
+      for (std::size_t i = 0; i < mesh.n_vertices(); ++i) {
+        ASSERT_NEAR(glm::length(glm::dvec3(mesh.normals()[i])), 1, 1e-6);
+        ASSERT_TRUE(std::isfinite(glm::dot(mesh.positions()[i], glm::vec3(1))));
+      }
+    }
+  }
+}
+
+TEST(Sweep, RandomTubesAreSound) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int round = 0; round < 60; ++round) {
+    // A star-shaped outline drawn either way round, thin beside a trajectory of 4 to 9 points.
+    const bool is_smooth = round % 3 != 0;
+    const bool is_loop = round % 4 < 2;
+    const int sides = 3 + round % 9;
+    std::vector<glm::dvec2> outline;
+    for (int i = 0; i < sides; ++i) {
+      const double angle = (round % 2 == 0 ? 2 : -2) * kPi * i / sides;
+      const double r = 0.02 + 0.01 * unit(random);
+      outline.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    std::vector<glm::dvec3> path;
+    const int points = 4 + round % 6;
+    for (int i = 0; i < points; ++i) {
+      const double angle = 2 * kPi * i / (is_loop ? points : points + 2);
+      path.push_back({std::cos(angle), 0.3 * unit(random), std::sin(angle)});
+    }
+    const Curve2 contour = is_smooth ? free_curve<2>(outline, true) : polyline<2>(outline, true);
+    const Curve3 trajectory = round % 5 < 3 ? free_curve<3>(path, is_loop) : polyline<3>(path, is_loop);
+    const Mesh tube = sweep(contour, trajectory, {.tessellation = {sides + round % 30, points + 2 * round}});
+    const Measures m = measure(tube);
+    EXPECT_EQ(m.open_edges, 0u) << round;
+    EXPECT_EQ(m.euler, is_loop ? 0 : 2) << round;
+    EXPECT_GT(m.volume, 0) << round;
+    EXPECT_GT(m.smallest_triangle, 0) << round;
+    EXPECT_LT(m.worst_normal_length, 1e-6) << round;
+    std::uint32_t triangles = 0;
+    for (const Area& area : tube.areas) {
+      EXPECT_EQ(area.first_triangle, triangles);
+      triangles += area.triangle_count;
+    }
+    EXPECT_EQ(triangles, tube.triangles.size());
+  }
+}
+
+TEST(Sweep, SaysWhatItRefusesAndWhatWouldDo) {
+  const Curve2 circle = circle_contour(1);
+  const Curve3 line = polyline<3>({{0, 0, 0}, {0, 0, 1}}, false);
+  const auto message = [&](const Curve2& contour, const Curve3& trajectory, const SweepOptions& options) {
+    try {
+      sweep(contour, trajectory, options);
+    } catch (const InputError& error) {
+      return error.problem();
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(message(circle, line, {.tessellation = {-3, 1}}),
+            "tessellation along the contour needs 1 to 32768 cells, got -3");
+  EXPECT_EQ(message(circle, line, {.tessellation = {2, 1}}),
+            "contour is closed and needs at least 3 cells, got 2");
+  EXPECT_EQ(message(circle, circle_trajectory(5), {.tessellation = {8, 2}}),
+            "trajectory is closed and needs at least 3 cells, got 2");
+  EXPECT_EQ(message(polyline<2>({{0, 0}, {1, 1}, {3, 3}, {2, 2}}, true), line, {}),
+            "closed contour lies on one straight line and encloses nothing; open it or move a point aside");
+  EXPECT_EQ(message(circle, line, {.crease_deg = -1}), "crease_deg needs to be 0 to 180, got -1");
+  EXPECT_EQ(message(circle, line, {.crease_deg = std::nan("")}), "crease_deg needs to be 0 to 180, got nan");
+  EXPECT_EQ(message(circle, line, {.uv = {.repeat = {1, HUGE_VAL}}}),
+            "uv repeat needs two finite numbers, got 1 and inf");
+  EXPECT_EQ(message(circle, polyline<3>({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, false), {}),
+            "trajectory turns back on itself at 2 m along it; a mitre there would be endless: round the "
+            "corner off");
+  EXPECT_EQ(message(circle, line, {.tessellation = {kMaxCells, kMaxCells}}),
+            "has too many triangles for 32-bit indices; ask for fewer cells");
 }
 
 TEST(Sweep, RefusesCountsOutOfRange) {
