@@ -3,14 +3,17 @@
 //
 // Based on [Crow84] and on Heckbert's reading of it as repeated integration of order 1 [Heckbert86].
 // Departs from both in the arithmetic. Integer texels are summed in unsigned 64-bit words that may wrap
-// round: any difference of corners whose true value is below 2^64 is exact, whatever the size of the table. A
-// fractional corner would multiply a wrapped word and break that, so the four corners' neighbours are
-// differenced as integers first and weighed after:
+// round: a difference of corners is exact, whatever the size of the table. A fractional corner would multiply
+// a wrapped word and break that, so the four corners' neighbours are differenced as integers first and
+// weighed after:
 //   S(x1) - S(x0) = [S(i1) - S(i0)] + f1 [S(i1+1) - S(i1)] - f0 [S(i0+1) - S(i0)],   x = i + f,
 // in x and in y, nine integer boxes from sixteen corners.
 //
-// Outside the image a table corner follows from the wrap: repeat by S(i+aW, j+bH) = S(i,j) + a S(W,j) + b
-// S(i,H) + ab S(W,H), clamp by going on linearly past the border.
+// A box that leaves the image is cut into boxes inside it. Repeat: whole turns and what is left of one, which
+// says the same as S(i+aW, j+bH) = S(i,j) + a S(W,j) + b S(i,H) + ab S(W,H). Clamp: the first and the last
+// texel as often as the box goes past them, which says the same as going on linearly past the table's border.
+// Done on the boxes instead of on the corners, no sum grows with the size of the box, so a box of a million
+// turns is as exact as a small one.
 
 #include "sweepkit/texmap/summed_area_table.hpp"
 
@@ -27,47 +30,52 @@ constexpr double kFarthest = 4503599627370496.0;  // 2^52
 
 using Sum3 = std::array<std::uint64_t, 3>;
 
-// One axis of a table corner as a sum of at most two table lines with integer weights.
-struct Line {
-  std::array<std::int64_t, 2> index;
-  std::array<std::int64_t, 2> weight;
-  int count;
+// A stretch of one axis inside the image, in texels, and how often it counts.
+struct Stretch {
+  double times, from, to;
 };
 
-Line resolve(std::int64_t i, std::int64_t size, Wrap wrap) {
-  if (i >= 0 && i <= size) return {{i, 0}, {1, 0}, 1};
-  if (wrap == Wrap::kRepeat) {
-    const std::int64_t turns = i >= 0 ? i / size : -((-i + size - 1) / size);
-    return {{i - turns * size, size}, {1, turns}, 2};
+// What [from, to] covers under the wrap, as at most three stretches.
+struct Stretches {
+  std::array<Stretch, 3> parts;
+  std::size_t count = 0;
+  double length = 0;
+
+  void add(double times, double from, double to) {
+    parts[count++] = {times, from, to};
+    length += times * (to - from);
   }
-  if (i < 0) return {{1, 0}, {i, 1 - i}, 2};
-  return {{size, size - 1}, {1 + (i - size), -(i - size)}, 2};
+};
+
+Stretches cut(double from, double to, double size, Wrap wrap) {
+  Stretches stretches;
+  if (from >= 0 && to <= size) {
+    stretches.add(1, from, to);
+  } else if (wrap == Wrap::kRepeat) {
+    const double turns = std::floor((to - from) / size);
+    if (turns > 0) stretches.add(turns, 0, size);
+    const double rest = std::max(0.0, (to - from) - turns * size);
+    from = std::clamp(from - std::floor(from / size) * size, 0.0, size);
+    to = from + rest;
+    if (to > size && turns > 0) {
+      // Another whole turn but for what lies between: one stretch less to sum.
+      stretches.parts[0].times += 1;
+      stretches.length += size;
+      stretches.add(-1, std::min(to - size, from), from);
+    } else {
+      stretches.add(1, from, std::min(to, size));
+      if (to > size) stretches.add(1, 0, std::min(to - size, size));
+    }
+  } else {
+    if (from < 0) stretches.add(std::min(to, 0.0) - from, 0, 1);
+    if (from < size && to > 0) stretches.add(1, std::max(from, 0.0), std::min(to, size));
+    if (to > size) stretches.add(to - std::max(from, size), size - 1, size);
+  }
+  return stretches;
 }
 
-template <class T>
-struct Corners {
-  const T* sums;
-  std::int64_t width, height;
-  Wrap wrap;
-
-  const T* at(std::int64_t i, std::int64_t j) const { return sums + 3 * (j * (width + 1) + i); }
-
-  std::array<T, 3> operator()(const Line& x, const Line& y) const {
-    std::array<T, 3> sum{};
-    for (int b = 0; b < y.count; ++b) {
-      for (int a = 0; a < x.count; ++a) {
-        const T* value = at(x.index[static_cast<std::size_t>(a)], y.index[static_cast<std::size_t>(b)]);
-        const T weight =
-            static_cast<T>(x.weight[static_cast<std::size_t>(a)] * y.weight[static_cast<std::size_t>(b)]);
-        for (std::size_t k = 0; k < 3; ++k) sum[k] += weight * value[k];
-      }
-    }
-    return sum;
-  }
-};
-
-// A box's true sum is below 2^63, where the signed conversion is one instruction and the unsigned one a
-// branch.
+// The sum of a box inside the image is below 2^63, where the signed conversion is one instruction and the
+// unsigned one a branch.
 double to_double(std::uint64_t sum) {
   return static_cast<double>(static_cast<std::int64_t>(sum));
 }
@@ -75,34 +83,28 @@ double to_double(double sum) {
   return sum;
 }
 
-// Sum of the texels over [x0, x1] x [y0, y1] in texel units.
+// Sum of the texels over x and y, which lie inside the image of width x height.
 template <class T>
-glm::dvec3 box_sum(const Corners<T>& corners, double x0, double x1, double y0, double y1) {
+glm::dvec3 box_sum(const T* sums, std::int64_t width, std::int64_t height, const Stretch& x_range,
+                   const Stretch& y_range) {
   struct Axis {
     std::array<std::int64_t, 4> corner;  // i0, i0 + 1, i1, i1 + 1
     std::array<double, 3> weight;        // of i0..i1, i1..i1+1, i0..i0+1
   };
-  const auto axis = [](double from, double to) {
-    const double low = std::floor(from);
-    const double high = std::floor(to);
-    const auto i0 = static_cast<std::int64_t>(low);
-    const auto i1 = static_cast<std::int64_t>(high);
-    return Axis{{i0, i0 + 1, i1, i1 + 1}, {1.0, to - high, low - from}};
+  const auto axis = [](const Stretch& range, std::int64_t size) {
+    const auto i0 = static_cast<std::int64_t>(range.from);  // neither is below 0
+    const auto i1 = static_cast<std::int64_t>(range.to);
+    // The last line has none after it, and no fraction that would need one.
+    return Axis{{i0, std::min(i0 + 1, size), i1, std::min(i1 + 1, size)},
+                {1.0, range.to - static_cast<double>(i1), static_cast<double>(i0) - range.from}};
   };
-  const Axis x = axis(x0, x1);
-  const Axis y = axis(y0, y1);
+  const Axis x = axis(x_range, width);
+  const Axis y = axis(y_range, height);
   std::array<std::array<std::array<T, 3>, 4>, 4> table;
-  const bool is_inside =
-      x.corner[0] >= 0 && x.corner[3] <= corners.width && y.corner[0] >= 0 && y.corner[3] <= corners.height;
   for (std::size_t j = 0; j < 4; ++j) {
     for (std::size_t i = 0; i < 4; ++i) {
-      if (is_inside) {
-        const T* value = corners.at(x.corner[i], y.corner[j]);
-        table[j][i] = {value[0], value[1], value[2]};
-      } else {
-        table[j][i] = corners(resolve(x.corner[i], corners.width, corners.wrap),
-                              resolve(y.corner[j], corners.height, corners.wrap));
-      }
+      const T* value = sums + 3 * (y.corner[j] * (width + 1) + x.corner[i]);
+      table[j][i] = {value[0], value[1], value[2]};
     }
   }
   static constexpr std::array<std::array<std::size_t, 2>, 3> kSpans = {{{0, 2}, {2, 3}, {0, 1}}};
@@ -123,6 +125,20 @@ glm::dvec3 box_sum(const Corners<T>& corners, double x0, double x1, double y0, d
     sum[static_cast<glm::length_t>(k)] = total;
   }
   return sum;
+}
+
+// The mean of the table over a box that the wrap has cut up.
+template <class T>
+glm::dvec3 mean_over(const std::vector<T>& sums, int width, int height, const Stretches& x,
+                     const Stretches& y) {
+  glm::dvec3 sum(0.0);
+  for (std::size_t j = 0; j < y.count; ++j) {
+    for (std::size_t i = 0; i < x.count; ++i) {
+      sum +=
+          x.parts[i].times * y.parts[j].times * box_sum(sums.data(), width, height, x.parts[i], y.parts[j]);
+    }
+  }
+  return sum / (x.length * y.length);
 }
 
 template <class T, class Texel>
@@ -198,22 +214,11 @@ glm::vec3 SummedAreaTable::mean(const UvBox& box) const {
     y0 = 0.5 * (y0 + y1) - 0.5;
     y1 = y0 + 1;
   }
-  if (wrap_ == Wrap::kRepeat) {
-    // Whole turns do not matter; near the origin most boxes need no corner outside the table.
-    const double x_turns = std::floor(x0 / width_) * width_;
-    const double y_turns = std::floor(y0 / height_) * height_;
-    x0 -= x_turns;
-    x1 -= x_turns;
-    y0 -= y_turns;
-    y1 -= y_turns;
-  }
-  const double area = (x1 - x0) * (y1 - y0);
-  if (const auto* integers = std::get_if<std::vector<std::uint64_t>>(&sums_)) {
-    const Corners<std::uint64_t> corners{integers->data(), width_, height_, wrap_};
-    return glm::vec3(box_sum(corners, x0, x1, y0, y1) / (area * 65535.0));
-  }
-  const Corners<double> corners{std::get<std::vector<double>>(sums_).data(), width_, height_, wrap_};
-  return glm::vec3(offset_ + box_sum(corners, x0, x1, y0, y1) / area);
+  const Stretches x = cut(x0, x1, width_, wrap_);
+  const Stretches y = cut(y0, y1, height_, wrap_);
+  if (const auto* integers = std::get_if<std::vector<std::uint64_t>>(&sums_))
+    return glm::vec3(mean_over(*integers, width_, height_, x, y) / 65535.0);
+  return glm::vec3(offset_ + mean_over(std::get<std::vector<double>>(sums_), width_, height_, x, y));
 }
 
 std::size_t SummedAreaTable::bytes() const {
