@@ -26,9 +26,11 @@ const kLeastOverlap = 0.98;
 const kLeastCorrelation = 0.95;
 const kSize = 512;
 const sceneFile = join(sampleScenes, 'vase_and_cup.json');
-// Linear colours of 0 and 1 are the same bytes in every encoding.
-const colors = {'floor': [1, 0, 0], 'left wall': [0, 1, 0], 'vase': [0, 0, 1], 'cup': [1, 1, 0]};
 const scene = JSON.parse(readFileSync(sceneFile, 'utf8').replace(/^\s*\/\/.*$/gm, ''));
+// A colour for each object; linear 0 and 1 are the same bytes in every encoding, and black is the background.
+const cubeCorners = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 0, 1], [0, 1, 1], [1, 1, 1]];
+if (scene.objects.length > cubeCorners.length) throw new Error('the scene has more objects than there are clear colours');
+const colors = Object.fromEntries(scene.objects.map((object, index) => [object.name, cubeCorners[index]]));
 
 const unlit = ['--set', '/lights=[]', '--set', '/ambient=[1,1,1]', '--set', '/background=[0,0,0]', '--depth', '0'];
 
@@ -38,7 +40,7 @@ function renderOurs(name, settings) {
   return PNG.sync.read(readFileSync(file));
 }
 
-// A colour for each object: each gets a material of its own.
+// Each object gets a material of its own.
 function drawOurObjects() {
   const settings = [];
   scene.objects.forEach((object, index) => {
