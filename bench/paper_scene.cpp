@@ -8,16 +8,14 @@
 // Usage: paper_scene SCENE FOLDER    writes FOLDER/{point,filtered,filtered_3x3,reference}.png and
 // paper_scene.csv
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <thread>
 #include <vector>
 
+#include "harness.hpp"
 #include "sweepkit/render/render.hpp"
 #include "sweepkit/scene/document.hpp"
 #include "sweepkit/scene/model.hpp"
@@ -37,43 +35,10 @@ struct Method {
   render::Options options;
 };
 
-struct Timing {
-  double median = 0, min = 0, max = 0;
-};
-
-struct Row {
-  std::string name;
-  Timing seconds;
-  render::Picture picture;
-};
-
 scene::Plan plan_for(const scene::Document& document, const render::Options& options) {
   return scene::plan(document, {.product = scene::Request::Product::kPicture,
                                 .is_filtered = options.filter != render::Filter::kPoint,
                                 .is_supersampled = options.supersampling > 1});
-}
-
-Timing summary(std::vector<double> seconds) {
-  std::sort(seconds.begin(), seconds.end());
-  return {seconds[seconds.size() / 2], seconds.front(), seconds.back()};
-}
-
-// All methods in turn, so that a machine whose speed drifts treats them alike.
-std::vector<Row> measure(const scene::Document& document, const scene::Model& model,
-                         const std::vector<Method>& methods) {
-  std::vector<Row> rows(methods.size());
-  std::vector<std::vector<double>> seconds(methods.size());
-  for (int run = 0; run < kRuns; ++run) {
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-      const scene::Plan plan = plan_for(document, methods[i].options);
-      render::Picture picture = render::render(model.scene, plan, methods[i].options);
-      const render::Statistics& statistics = picture.statistics;
-      seconds[i].push_back(statistics.grid_seconds + statistics.table_seconds + statistics.picture_seconds);
-      rows[i] = {methods[i].name, {}, std::move(picture)};
-    }
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].seconds = summary(seconds[i]);
-  return rows;
 }
 
 // What filtering adds to shading, a node: both pictures drawn in turn on one thread, the median of the
@@ -90,7 +55,7 @@ double ns_a_filtered_node(const scene::Document& document, const scene::Model& m
     nanoseconds.push_back(1e9 * (with.shade_thread_seconds - without.shade_thread_seconds) /
                           static_cast<double>(with.filtered_nodes));
   }
-  return summary(nanoseconds).median;
+  return bench::spread(nanoseconds).median;
 }
 
 // Which object each pixel's middle sees first: the scene drawn with a colour of its own for every object.
@@ -143,9 +108,21 @@ int main(int argc, char** argv) {
     const render::Options reference_options{.filter = render::Filter::kPoint, .supersampling = 16};
     const scene::Model model = scene::build(document, plan_for(document, filtered));
 
-    const std::vector<Row> rows =
-        measure(document, model,
-                {{"point", point}, {"paper", paper}, {"filtered", filtered}, {"filtered_3x3", filtered_3x3}});
+    const std::vector<Method> methods = {
+        {"point", point}, {"paper", paper}, {"filtered", filtered}, {"filtered_3x3", filtered_3x3}};
+    std::vector<render::Picture> pictures(methods.size());
+    std::vector<bench::Contender> contenders;
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      contenders.push_back(
+          {.name = methods[i].name,
+           .run =
+               [&, i] {
+                 const render::Options& options = methods[i].options;
+                 pictures[i] = render::render(model.scene, plan_for(document, options), options);
+               },
+           .check = [&, i] { return pictures[i].statistics.nodes > 0 ? "" : "nothing was drawn"; }});
+    }
+    const bench::Comparison times = bench::compare("paper_scene", contenders, kRuns);
     const render::Picture reference =
         render::render(model.scene, plan_for(document, reference_options), reference_options);
     const std::vector<std::uint8_t> floor = mask_of(document, model, "floor");
@@ -153,16 +130,16 @@ int main(int argc, char** argv) {
 
     std::string csv =
         "method,seconds_median,seconds_min,seconds_max,rmse_floor,rmse_mirror,rmse_all,flip_all\n";
-    for (const Row& row : rows) {
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      const texmap::Image& image = pictures[i].image;
+      const bench::Spread& seconds = times.results[i].seconds;
       char line[256];
-      std::snprintf(line, sizeof line, "%s,%.4f,%.4f,%.4f,%.5f,%.5f,%.5f,%.4f\n", row.name.c_str(),
-                    row.seconds.median, row.seconds.min, row.seconds.max,
-                    texmap::rmse(row.picture.image, reference.image, floor),
-                    texmap::rmse(row.picture.image, reference.image, mirror),
-                    texmap::rmse(row.picture.image, reference.image),
-                    texmap::mean_flip(row.picture.image, reference.image));
+      std::snprintf(line, sizeof line, "%s,%.4f,%.4f,%.4f,%.5f,%.5f,%.5f,%.4f\n", methods[i].name.c_str(),
+                    seconds.median, seconds.min, seconds.max, texmap::rmse(image, reference.image, floor),
+                    texmap::rmse(image, reference.image, mirror), texmap::rmse(image, reference.image),
+                    texmap::mean_flip(image, reference.image));
       csv += line;
-      write_picture(folder / (row.name + ".png"), row.picture.image);
+      write_picture(folder / (methods[i].name + ".png"), image);
     }
     write_picture(folder / "reference.png", reference.image);
     std::ofstream(folder / "paper_scene.csv") << csv;
@@ -170,7 +147,7 @@ int main(int argc, char** argv) {
     std::printf(
         "paper's filter / point, whole time: %.2f (the paper: 20 min / 15 min = 1.33); filtered / point: "
         "%.2f\n",
-        rows[1].seconds.median / rows[0].seconds.median, rows[2].seconds.median / rows[0].seconds.median);
+        times.results[1].ratio.median, times.results[2].ratio.median);
     std::printf("ns a filtered node, tables apart, one thread: %.0f\n", ns_a_filtered_node(document, model));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "paper_scene: %s\n", error.what());
