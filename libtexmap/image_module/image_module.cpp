@@ -16,6 +16,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <new>
 
 namespace sweepkit::texmap {
 namespace {
@@ -36,9 +37,16 @@ std::string error_of(const File& file, const char* otherwise) {
   return text.empty() ? otherwise : text;
 }
 
+std::string size_text(const OIIO::ImageSpec& spec) {
+  return std::to_string(spec.width) + " x " + std::to_string(spec.height);
+}
+
 std::unique_ptr<OIIO::ImageInput> open(const std::string& file, std::string& problem) {
   OIIO::attribute("threads", 1);
-  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file);
+  // Colours as the file has them: OpenImageIO would multiply them by alpha, in sRGB and in 8 bits.
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file, &config);
   if (!input) {
     problem = last_error();
     return nullptr;
@@ -50,8 +58,8 @@ std::unique_ptr<OIIO::ImageInput> open(const std::string& file, std::string& pro
   } else if (spec.depth > 1) {
     problem = "the image is a volume, not a picture";
   } else if (texels > kMostTexels || texels * spec.nchannels > 2 * kMostTexels) {
-    problem = "the image has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-              " pixels; at most 2^31 can be read";
+    problem = "the image has " + size_text(spec) + " pixels of " + std::to_string(spec.nchannels) +
+              " channels; at most 2^31 pixels and 2^32 numbers can be read";
   }
   if (!problem.empty()) input.reset();
   return input;
@@ -88,6 +96,29 @@ bool is_integer(const OIIO::TypeDesc& type) {
   return type.basetype == OIIO::TypeDesc::UINT8 || type.basetype == OIIO::TypeDesc::UINT16;
 }
 
+// Reads the first `channels` of the whole image in bands of rows: a header that promises more than the file
+// holds fails at the first band, before the memory for the rest is touched.
+template <class Sample>
+bool read_samples(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels,
+                  const OIIO::TypeDesc& type, std::vector<Sample>& samples) {
+  const bool is_tiled = spec.tile_width > 0;
+  const int band = is_tiled ? spec.tile_height : 64;
+  const std::size_t row = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels);
+  samples.reserve(row * static_cast<std::size_t>(spec.height));
+  for (int y = 0; y < spec.height;) {
+    const int end = std::min(spec.height - y, band) + y;
+    samples.resize(row * static_cast<std::size_t>(end));
+    Sample* to = samples.data() + row * static_cast<std::size_t>(y);
+    const bool is_read =
+        is_tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z,
+                                    spec.z + 1, 0, channels, type, to)
+                 : input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, channels, type, to);
+    if (!is_read) return false;
+    y = end;
+  }
+  return true;
+}
+
 std::string read(const std::string& file, ModuleImage& image) try {
   const QuietErrors quiet;
   std::string problem;
@@ -97,20 +128,22 @@ std::string read(const std::string& file, ModuleImage& image) try {
   image.width = spec.width;
   image.height = spec.height;
   image.channels = std::min(spec.nchannels, 4);
-  const std::size_t count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                            static_cast<std::size_t>(image.channels);
   bool is_read = false;
-  if (is_integer(spec.format)) {
-    std::vector<std::uint16_t> samples(count);
-    is_read = input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::UINT16, samples.data());
-    image.samples = std::move(samples);
-  } else {
-    std::vector<float> samples(count);
-    is_read = input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, samples.data());
-    image.samples = std::move(samples);
+  try {
+    if (is_integer(spec.format)) {
+      auto& samples = image.samples.emplace<std::vector<std::uint16_t>>();
+      is_read = read_samples(*input, spec, image.channels, OIIO::TypeDesc::UINT16, samples);
+    } else {
+      auto& samples = image.samples.emplace<std::vector<float>>();
+      is_read = read_samples(*input, spec, image.channels, OIIO::TypeDesc::FLOAT, samples);
+    }
+  } catch (const std::bad_alloc&) {
+    return "its " + size_text(spec) + " pixels are more than the memory holds";
   }
   if (!is_read) return error_of(*input, "its pixels cannot be read");
-  return {};
+  // A JPEG that ends early is filled up with grey and counted as read; what the decoder complained of is
+  // kept.
+  return input->geterror();
 } catch (const std::exception& error) {
   return error.what();
 }
@@ -130,12 +163,20 @@ std::string read_info(const std::string& file, ModuleInfo& info) try {
 std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes) try {
   OIIO::attribute("threads", 1);
   const bool is_exr = encoding.floats != nullptr;
-  OIIO::ImageSpec spec(encoding.width, encoding.height, encoding.channels,
+  const std::string extension = encoding.extension;
+  const bool has_alpha = encoding.channels % 2 == 0;
+  const bool keeps_alpha = has_alpha && extension != "jpg";
+  OIIO::ImageSpec spec(encoding.width, encoding.height, encoding.channels - (has_alpha && !keeps_alpha),
                        is_exr ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8);
+  if (keeps_alpha) {
+    spec.channelnames.back() = std::string(1, 'A');
+    spec.alpha_channel = encoding.channels - 1;
+    // Colours are not multiplied by alpha, and are not to be divided by it.
+    if (!is_exr) spec.attribute("oiio:UnassociatedAlpha", 1);
+  }
   // The time of writing would make two runs differ.
   spec.attribute("DateTime", "2000:01:01 00:00:00");
   spec.attribute("Software", "sweepkit");
-  const std::string extension = encoding.extension;
   // In a TIFF this would become an Exif directory, which OpenImageIO 2.4 writes over the first one when in
   // memory.
   if (extension != "tif") spec.attribute("oiio:ColorSpace", encoding.is_srgb ? "sRGB" : "Linear");
@@ -152,8 +193,9 @@ std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes
   if (!output) return last_error();
   if (!output->supports("ioproxy")) return "the " + extension + " encoder cannot write to memory";
   if (!output->open(name, spec)) return error_of(*output, "the encoder does not take the image");
-  const bool is_written = is_exr ? output->write_image(OIIO::TypeDesc::FLOAT, encoding.floats)
-                                 : output->write_image(OIIO::TypeDesc::UINT8, encoding.bytes);
+  const bool is_written = is_exr
+                              ? output->write_image(OIIO::TypeDesc::FLOAT, encoding.floats)
+                              : output->write_image(OIIO::TypeDesc::UINT8, encoding.bytes, encoding.channels);
   if (!is_written || !output->close()) return error_of(*output, "the encoder fails");
   bytes.resize(buffer.size());
   std::memcpy(bytes.data(), buffer.data(), buffer.size());

@@ -3,6 +3,7 @@
 #include "sweepkit/texmap/image_file.hpp"
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <algorithm>
 #include <atomic>
@@ -18,13 +19,16 @@ namespace {
 
 std::atomic<bool> is_loaded = false;
 
-// The folder of the program or shared library that holds this code.
+// The folder of the program or shared library that holds this code. A program has no name in its link map,
+// and argv[0] may name anything that lies in the working folder: the system is asked instead.
 std::filesystem::path own_folder() {
   Dl_info info{};
+  link_map* map = nullptr;
   std::error_code ignored;
-  if (dladdr(reinterpret_cast<const void*>(&own_folder), &info) != 0 && info.dli_fname != nullptr) {
-    const std::filesystem::path library = std::filesystem::canonical(info.dli_fname, ignored);
-    if (!ignored) return library.parent_path();
+  if (dladdr1(reinterpret_cast<const void*>(&own_folder), &info, reinterpret_cast<void**>(&map),
+              RTLD_DL_LINKMAP) != 0 &&
+      map != nullptr && map->l_name != nullptr && map->l_name[0] != '\0') {
+    return std::filesystem::canonical(map->l_name, ignored).parent_path();
   }
   return std::filesystem::canonical("/proc/self/exe", ignored).parent_path();
 }
@@ -68,7 +72,7 @@ std::string one_line(std::string text) {
 }
 
 // 16-bit sRGB samples to 16-bit linear light, rounded to nearest.
-std::vector<std::uint16_t> make_decode_table() {
+std::vector<std::uint16_t> make_linear_from_srgb_table() {
   std::vector<std::uint16_t> table(65536);
   for (std::size_t i = 0; i < table.size(); ++i) {
     table[i] =
@@ -82,15 +86,63 @@ bool is_alpha(std::size_t channel, int channels) {
 }
 
 void decode_srgb(std::vector<std::uint16_t>& samples, int channels) {
-  static const std::vector<std::uint16_t> table = make_decode_table();
+  static const std::vector<std::uint16_t> table = make_linear_from_srgb_table();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!is_alpha(i % static_cast<std::size_t>(channels), channels)) samples[i] = table[samples[i]];
   }
 }
 
-std::uint8_t to_byte(double value, bool is_srgb) {
+std::uint8_t to_byte(double value) {
   const double clamped = value > 0 ? std::min(value, 1.0) : 0.0;  // NaN is 0
-  return static_cast<std::uint8_t>(std::lround(255 * (is_srgb ? srgb_from_linear(clamped) : clamped)));
+  return static_cast<std::uint8_t>(std::lround(255 * clamped));
+}
+
+std::uint8_t to_srgb_byte(double value) {
+  return to_byte(value > 0 ? srgb_from_linear(std::min(value, 1.0)) : 0.0);
+}
+
+// 16-bit linear light to 8-bit sRGB.
+std::vector<std::uint8_t> make_srgb_byte_table() {
+  std::vector<std::uint8_t> table(65536);
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = to_srgb_byte(static_cast<double>(i) / 65535);
+  return table;
+}
+
+std::vector<std::uint8_t> to_bytes(const Image& image, bool is_srgb) {
+  const auto is_color = [&](std::size_t i) {
+    return is_srgb && !is_alpha(i % static_cast<std::size_t>(image.channels), image.channels);
+  };
+  std::vector<std::uint8_t> bytes;
+  if (const auto* floats = std::get_if<std::vector<float>>(&image.texels)) {
+    bytes.reserve(floats->size());
+    for (std::size_t i = 0; i < floats->size(); ++i) {
+      const double value = (*floats)[i];
+      bytes.push_back(is_color(i) ? to_srgb_byte(value) : to_byte(value));
+    }
+    return bytes;
+  }
+  static const std::vector<std::uint8_t> table = make_srgb_byte_table();
+  const auto& integers = std::get<std::vector<std::uint16_t>>(image.texels);
+  bytes.reserve(integers.size());
+  for (std::size_t i = 0; i < integers.size(); ++i)
+    bytes.push_back(is_color(i) ? table[integers[i]] : to_byte(integers[i] / 65535.0));
+  return bytes;
+}
+
+// Half floats end at 65504: what is brighter would be written as infinity, which no reader takes.
+std::vector<float> to_half_range(const Image& image) {
+  constexpr float kLargestHalf = 65504;
+  std::vector<float> values;
+  if (const auto* floats = std::get_if<std::vector<float>>(&image.texels)) {
+    values.reserve(floats->size());
+    for (const float value : *floats)
+      values.push_back(std::isnan(value) ? value : std::clamp(value, -kLargestHalf, kLargestHalf));
+    return values;
+  }
+  const auto& integers = std::get<std::vector<std::uint16_t>>(image.texels);
+  values.reserve(integers.size());
+  for (const std::uint16_t value : integers) values.push_back(static_cast<float>(value / 65535.0));
+  return values;
 }
 
 }  // namespace
@@ -140,29 +192,15 @@ ImageFormat image_format(const std::filesystem::path& file) {
 
 std::vector<std::byte> encode_image(const Image& image, ImageFormat format, ColorSpace color_space) {
   static constexpr const char* kExtensions[] = {"png", "jpg", "tif", "exr"};
-  const bool is_srgb = color_space == ColorSpace::kSrgb && format != ImageFormat::kExr;
-  const std::size_t count = std::visit([](const auto& texels) { return texels.size(); }, image.texels);
-  const auto value = [&](std::size_t i) {
-    if (const auto* floats = std::get_if<std::vector<float>>(&image.texels))
-      return static_cast<double>((*floats)[i]);
-    return std::get<std::vector<std::uint16_t>>(image.texels)[i] / 65535.0;
-  };
-  std::vector<std::uint8_t> bytes;
-  std::vector<float> floats;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (format == ImageFormat::kExr) {
-      floats.push_back(static_cast<float>(value(i)));
-    } else {
-      bytes.push_back(to_byte(
-          value(i), is_srgb && !is_alpha(i % static_cast<std::size_t>(image.channels), image.channels)));
-    }
-  }
+  const bool is_exr = format == ImageFormat::kExr;
+  const bool is_srgb = color_space == ColorSpace::kSrgb && !is_exr;
+  const std::vector<std::uint8_t> bytes = is_exr ? std::vector<std::uint8_t>{} : to_bytes(image, is_srgb);
+  const std::vector<float> floats = is_exr ? to_half_range(image) : std::vector<float>{};
   std::vector<std::byte> encoded;
-  const std::string problem =
-      module().encode({kExtensions[static_cast<std::size_t>(format)], image.width, image.height,
-                       image.channels, is_srgb, format == ImageFormat::kExr ? nullptr : bytes.data(),
-                       format == ImageFormat::kExr ? floats.data() : nullptr},
-                      encoded);
+  const std::string problem = module().encode(
+      {kExtensions[static_cast<std::size_t>(format)], image.width, image.height, image.channels, is_srgb,
+       is_exr ? nullptr : bytes.data(), is_exr ? floats.data() : nullptr},
+      encoded);
   if (!problem.empty()) throw OutputError("cannot encode the image: " + one_line(problem));
   return encoded;
 }

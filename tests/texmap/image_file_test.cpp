@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 
+#include "png.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/texmap/image_error.hpp"
 
@@ -81,6 +83,77 @@ TEST_F(ImageFile, EverySrgbByteSurvivesReadingAndWriting) {
   EXPECT_EQ(std::get<0>(back.texels), texels);
 }
 
+TEST_F(ImageFile, EveryChannelCountIsReadBackTexelForTexel) {
+  // Colours where alpha is small or 0 are kept as they are, neither multiplied by it nor divided.
+  for (const int channels : {1, 2, 3, 4}) {
+    Image image{5, 3, channels, std::vector<std::uint16_t>(static_cast<std::size_t>(15 * channels))};
+    auto& texels = std::get<std::vector<std::uint16_t>>(image.texels);
+    for (std::size_t i = 0; i < texels.size(); ++i)
+      texels[i] = static_cast<std::uint16_t>(257 * ((37 * i + 11) % 256));
+    texels.back() = 0;
+    for (const char* name : {"a.png", "a.tif"}) {
+      const Image back = read_image(write(name, encode_image(image, image_format(name), ColorSpace::kLinear)),
+                                    ColorSpace::kLinear);
+      EXPECT_EQ(back.channels, channels) << name;
+      EXPECT_EQ(std::get<0>(back.texels), texels) << name << " " << channels;
+    }
+    // JPEG has no alpha; it is left out.
+    EXPECT_EQ(read_image(write("a.jpg", encode_image(image, ImageFormat::kJpeg)), ColorSpace::kSrgb).channels,
+              channels <= 2 ? 1 : 3);
+  }
+}
+
+TEST_F(ImageFile, SixteenBitsAreReadToTheLastOne) {
+  std::vector<std::uint8_t> rows;
+  std::vector<std::uint16_t> want;
+  for (int i = 0; i < 3 * 16 * 4; ++i) {
+    want.push_back(static_cast<std::uint16_t>(i * 341 + 5));
+    rows.push_back(static_cast<std::uint8_t>(want.back() >> 8));
+    rows.push_back(static_cast<std::uint8_t>(want.back() & 255));
+  }
+  const auto file = write("deep.png", make_png({16, 4, 16, 2}, rows));
+  EXPECT_EQ(std::get<0>(read_image(file, ColorSpace::kLinear).texels), want);
+  EXPECT_EQ(read_image_info(file).sample_type, "uint16");
+  // sRGB by the curve, rounded to nearest.
+  const Image decoded = read_image(file, ColorSpace::kSrgb);
+  for (std::size_t i = 0; i < want.size(); ++i) {
+    const double x = want[i] / 65535.0;
+    const double linear = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+    EXPECT_NEAR(std::get<0>(decoded.texels)[i], 65535 * linear, 0.5 + 1e-9);
+  }
+}
+
+TEST_F(ImageFile, PalettesAndSingleBitsAreReadAsColours) {
+  const std::vector<std::uint8_t> palette = {255, 0, 0, 0, 0, 255};
+  const Image colors =
+      read_image(write("palette.png", make_png({2, 1, 8, 3}, std::vector<std::uint8_t>{1, 0}, palette)),
+                 ColorSpace::kSrgb);
+  EXPECT_EQ(colors.color(0, 0), glm::vec3(0, 0, 1));
+  EXPECT_EQ(colors.color(1, 0), glm::vec3(1, 0, 0));
+  const Image bits = read_image(
+      write("bits.png", make_png({8, 1, 1, 0}, std::vector<std::uint8_t>{0b10100000})), ColorSpace::kSrgb);
+  EXPECT_EQ(bits.color(0, 0), glm::vec3(1));
+  EXPECT_EQ(bits.color(1, 0), glm::vec3(0));
+  EXPECT_EQ(bits.color(2, 0), glm::vec3(1));
+}
+
+TEST_F(ImageFile, FloatsSurviveExrUpToTheEndOfHalf) {
+  Image image = make_float_image(2, 2);
+  auto& texels = std::get<std::vector<float>>(image.texels);
+  texels = {0, 1, 0.5f, 100, -2, 1024, 0.25f, 3, 60000, 65504, 1e9f, HUGE_VALF};
+  const Image back = read_image(write("a.exr", encode_image(image, ImageFormat::kExr)), ColorSpace::kLinear);
+  texels[8] = 60000;  // a half, as are the others
+  texels[10] = texels[11] = 65504;
+  EXPECT_EQ(std::get<1>(back.texels), texels);
+}
+
+TEST_F(ImageFile, ValuesOutsideZeroToOneAreClampedInEightBits) {
+  Image image = make_float_image(2, 1);
+  std::get<std::vector<float>>(image.texels) = {-1, 0, 2, HUGE_VALF, 1, std::nanf("")};
+  const Image back = read_image(write("a.png", encode_image(image, ImageFormat::kPng)), ColorSpace::kSrgb);
+  EXPECT_EQ(std::get<0>(back.texels), (std::vector<std::uint16_t>{0, 0, 65535, 65535, 65535, 0}));
+}
+
 TEST_F(ImageFile, TheSameImageGivesTheSameBytes) {
   for (const ImageFormat format :
        {ImageFormat::kPng, ImageFormat::kJpeg, ImageFormat::kTiff, ImageFormat::kExr}) {
@@ -109,6 +182,36 @@ TEST_F(ImageFile, RefusesATruncatedPngAtEveryLength) {
     const auto file = write("cut.png", {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)});
     EXPECT_EQ(message(file).find(file.string() + ": cannot be read as an image: "), 0u) << length;
   }
+}
+
+TEST_F(ImageFile, RefusesEveryOtherFormatCutShort) {
+  // JPEG without its last two bytes, the mark of its end, counts as cut too: no decoder can tell the two
+  // apart.
+  for (const char* name : {"cut.jpg", "cut.tif", "cut.exr"}) {
+    const std::vector<std::byte> whole = encode_image(ramp(), image_format(name));
+    std::size_t length = 0;
+    while (length < whole.size()) {
+      const auto file = write(name, {whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)});
+      EXPECT_EQ(message(file).find(file.string() + ": cannot be read as an image: "), 0u)
+          << name << " " << length << ": " << message(file);
+      length += whole.size() - length > 16 ? 9 : 1;
+    }
+  }
+}
+
+TEST_F(ImageFile, RefusesSizesThatNoImageHas) {
+  const std::vector<std::uint8_t> a_row(3);
+  for (const PngHeader& header :
+       {PngHeader{0, 1}, PngHeader{1, 0}, PngHeader{0, 0}, PngHeader{2000000000, 2000000000},
+        PngHeader{60000, 50000}, PngHeader{40000, 30000}}) {
+    // The last would need 7 GB: it must fail on the rows that are missing, not on the memory.
+    const auto file = write("size.png", make_png(header, a_row));
+    EXPECT_EQ(message(file).find(file.string() + ": cannot be read as an image: "), 0u) << message(file);
+  }
+}
+
+TEST_F(ImageFile, RefusesAPictureThatIsNone) {
+  EXPECT_THROW(encode_image(Image{0, 0, 3, std::vector<float>{}}, ImageFormat::kPng), OutputError);
 }
 
 TEST_F(ImageFile, RefusesNanInAFloatImageWithItsPlace) {

@@ -15,8 +15,10 @@ namespace sweepkit::texmap {
 /// How a file's numbers stand for light. sRGB applies to integer files; float files are linear always.
 enum class ColorSpace { kSrgb, kLinear };
 
-/// Reads any image OpenImageIO knows, decoded to linear light. The first call loads the image module.
-/// Throws InputError naming the file: missing, no image, no pixels, or too large (over 2^31 texels).
+/// Reads any image OpenImageIO knows, decoded to linear light; colours are not multiplied by alpha, and of
+/// more than four channels the first four are taken. The first call loads the image module. Throws InputError
+/// naming the file: missing, no image, cut short or otherwise damaged, no pixels, too large (over 2^31
+/// texels), or NaN or infinity in a float image.
 Image read_image(const std::filesystem::path& file, ColorSpace color_space);
 
 struct ImageFileInfo {
@@ -35,7 +37,8 @@ enum class ImageFormat { kPng, kJpeg, kTiff, kExr };
 ImageFormat image_format(const std::filesystem::path& file);
 
 /// The bytes of an image file: PNG, JPEG and TIFF 8-bit sRGB (or linear, for data), EXR 16-bit half linear.
-/// The same image gives the same bytes (no time stamps). Throws OutputError if the encoder fails.
+/// Values are rounded to nearest and clamped to what the format holds; JPEG leaves alpha out. The same image
+/// gives the same bytes (no time stamps). Throws OutputError if the encoder fails or the module is missing.
 std::vector<std::byte> encode_image(const Image& image, ImageFormat format,
                                     ColorSpace color_space = ColorSpace::kSrgb);
 
