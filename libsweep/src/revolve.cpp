@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-#include "cap.hpp"
+#include "cap_writer.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
 #include "number_text.hpp"
@@ -40,36 +40,11 @@ void snap_to_axis(Section& section) {
   }
 }
 
-void add_cap(Mesh& mesh, const Section& section, double angle_deg, bool is_first) {
-  std::vector<glm::dvec2> outline;
-  for (std::size_t i = 0; i + 1 < section.points.size(); ++i) outline.push_back(section.points[i].position);
-  glm::dvec2 low = outline.front();
-  glm::dvec2 high = low;
-  for (const glm::dvec2& p : outline) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  const double size = std::max(high.x - low.x, high.y - low.y);
+// The half plane at an angle of the turn, which goes along (-sin, 0, -cos) there.
+CapPlane half_plane(double angle_deg, bool is_first) {
   const auto [c, s] = cos_sin_deg(angle_deg);
-  // The turn goes along (-sin, 0, -cos); the first cap looks back, the last one ahead.
   const glm::dvec3 ahead(-s, 0, -c);
-  const std::uint32_t first = add_vertices(mesh, outline.size());
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const glm::dvec2& p = outline[i];
-    mesh.positions()[first + i] = glm::vec3(glm::dvec3(p.x * c, p.y, -p.x * s) - mesh.origin);
-    mesh.normals()[first + i] = glm::vec3(is_first ? -ahead : ahead);
-    const double u = (is_first ? p.x - low.x : high.x - p.x) / size;
-    mesh.texcoords()[first + i] = {static_cast<float>(u), static_cast<float>((p.y - low.y) / size)};
-  }
-  Area area;
-  area.first_triangle = static_cast<std::uint32_t>(mesh.triangles.size());
-  // Counter-clockwise in (r, h) faces against the turn.
-  for (const Triangle& t : triangulate_polygon(outline)) {
-    mesh.triangles.push_back(is_first ? Triangle{first + t[0], first + t[1], first + t[2]}
-                                      : Triangle{first + t[0], first + t[2], first + t[1]});
-  }
-  area.triangle_count = static_cast<std::uint32_t>(mesh.triangles.size()) - area.first_triangle;
-  mesh.areas.push_back(area);
+  return {glm::dvec3(0.0), {c, 0, -s}, {0, 1, 0}, is_first ? -ahead : ahead};
 }
 
 }  // namespace
@@ -143,8 +118,8 @@ Mesh revolve(const Curve2& contour, const RevolveOptions& options) {
     }
   }
   if (options.caps == Caps::kFlat && section.is_closed && !is_whole) {
-    add_cap(mesh, section, 0, true);
-    add_cap(mesh, section, options.angle_deg, false);
+    add_cap(mesh, section, half_plane(0, true), false);
+    add_cap(mesh, section, half_plane(options.angle_deg, false), true);
   }
   if (options.has_half_edges) write_half_edges(mesh);
   return mesh;
