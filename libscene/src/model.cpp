@@ -17,16 +17,13 @@ namespace {
 sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
   if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
     return sweep::sweep(shape->contour, shape->trajectory,
-                        {piece.tessellation.value_or(sweep::Tessellation{}), piece.uv, piece.crease_deg,
-                         shape->caps, has_half_edges});
+                        {piece.tessellation, piece.uv, piece.crease_deg, shape->caps, has_half_edges});
   }
   if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
-    return sweep::revolve(shape->contour, {piece.tessellation.value_or(sweep::Tessellation{}), piece.uv,
-                                           shape->angle_deg, piece.crease_deg, shape->caps, has_half_edges});
+    return sweep::revolve(shape->contour, {piece.tessellation, piece.uv, shape->angle_deg, piece.crease_deg,
+                                           shape->caps, has_half_edges});
   }
-  sweep::PlaneOptions options{.uv = piece.uv, .has_half_edges = has_half_edges};
-  if (piece.tessellation) options.tessellation = *piece.tessellation;
-  return sweep::plane(std::get<PlaneShape>(piece.shape).size, options);
+  return sweep::plane(std::get<PlaneShape>(piece.shape).size, {piece.tessellation, piece.uv, has_half_edges});
 }
 
 // Runs `make` and gives what it finds wrong with the geometry the piece's place in the file.

@@ -30,7 +30,8 @@ Placement read_placement(ObjectReader& reader) {
 
 // What an object says for all its parts and each part may say again.
 struct Manner {
-  std::optional<sweep::Tessellation> tessellation;
+  std::optional<int> contour_cells;
+  std::optional<int> trajectory_cells;
   sweep::UvOptions uv;
   double crease_deg = 30;
 };
@@ -38,13 +39,13 @@ struct Manner {
 void read_manner(ObjectReader& reader, Manner& manner) {
   if (const auto node = reader.find("tessellation")) {
     ObjectReader cells(*node);
-    sweep::Tessellation tessellation = manner.tessellation.value_or(sweep::Tessellation{});
-    if (const auto contour = cells.find("contour"))
-      tessellation.contour = contour->integer(1, sweep::kMaxCells, " cells");
-    if (const auto along = cells.find("trajectory"))
-      tessellation.trajectory = along->integer(1, sweep::kMaxCells, " cells");
+    if (const auto contour = cells.find("contour")) {
+      manner.contour_cells = contour->integer(1, sweep::kMaxCells, " cells");
+    }
+    if (const auto along = cells.find("trajectory")) {
+      manner.trajectory_cells = along->integer(1, sweep::kMaxCells, " cells");
+    }
     cells.finish();
-    manner.tessellation = tessellation;
   }
   if (const auto node = reader.find("uv")) {
     ObjectReader uv(*node);
@@ -103,20 +104,25 @@ std::optional<Piece> read_shape(ObjectReader& reader) {
     const std::optional<Node> node = reader.find(kind);
     if (!node) continue;
     if (piece) node->fail("an object has one shape; put several under \"parts\"");
+    piece.emplace();
+    piece->place = node->place();
     const std::string name = kind;
     if (name == "sweep") {
-      piece = Piece{read_sweep(*node), {}, {}, {}, 30, node->place()};
+      piece->shape = read_sweep(*node);
     } else if (name == "revolve") {
-      piece = Piece{read_revolve(*node), {}, {}, {}, 30, node->place()};
+      piece->shape = read_revolve(*node);
     } else {
-      piece = Piece{read_plane(*node), {}, {}, {}, 30, node->place()};
+      piece->shape = read_plane(*node);
     }
   }
   return piece;
 }
 
 void set_manner(Piece& piece, const Manner& manner) {
-  piece.tessellation = manner.tessellation;
+  const bool is_plane = std::holds_alternative<PlaneShape>(piece.shape);
+  piece.tessellation = is_plane ? sweep::PlaneOptions{}.tessellation : sweep::Tessellation{};
+  piece.tessellation.contour = manner.contour_cells.value_or(piece.tessellation.contour);
+  piece.tessellation.trajectory = manner.trajectory_cells.value_or(piece.tessellation.trajectory);
   piece.uv = manner.uv;
   piece.crease_deg = manner.crease_deg;
 }

@@ -103,8 +103,8 @@ TEST(Document, HoldsWhatTheFileSays) {
   ASSERT_EQ(pipe.pieces.size(), 1u);
   EXPECT_EQ(pipe.pieces[0].placement.scale, glm::dvec3(1))
       << "the placement is the object's, not the piece's too";
-  EXPECT_EQ(pipe.pieces[0].tessellation->contour, 8);
-  EXPECT_EQ(pipe.pieces[0].tessellation->trajectory, 64);
+  EXPECT_EQ(pipe.pieces[0].tessellation.contour, 8);
+  EXPECT_EQ(pipe.pieces[0].tessellation.trajectory, 64);
   EXPECT_EQ(pipe.pieces[0].uv.by, sweep::UvBy::kParameter);
   EXPECT_EQ(pipe.pieces[0].uv.repeat, glm::dvec2(2, 3));
   EXPECT_EQ(pipe.pieces[0].crease_deg, 10);
@@ -117,14 +117,15 @@ TEST(Document, HoldsWhatTheFileSays) {
   const Piece& bowl = document.objects[1].pieces[0];
   EXPECT_FALSE(document.objects[1].material.has_value());
   EXPECT_EQ(std::get<RevolveShape>(bowl.shape).angle_deg, 90);
-  EXPECT_FALSE(bowl.tessellation.has_value());
+  EXPECT_EQ(bowl.tessellation.contour, 64);
+  EXPECT_EQ(bowl.tessellation.trajectory, 64);
 
   const ObjectEntry& set = document.objects[2];
   ASSERT_EQ(set.pieces.size(), 2u);
   EXPECT_EQ(std::get<PlaneShape>(set.pieces[0].shape).size, glm::dvec2(2, 3));
   EXPECT_EQ(set.pieces[0].placement.scale, glm::dvec3(1, 2, 3));
-  EXPECT_EQ(set.pieces[0].tessellation->contour, 5) << "a part starts from what the object says";
-  EXPECT_EQ(set.pieces[0].tessellation->trajectory, 6);
+  EXPECT_EQ(set.pieces[0].tessellation.contour, 5) << "a part starts from what the object says";
+  EXPECT_EQ(set.pieces[0].tessellation.trajectory, 6);
   EXPECT_EQ(std::get<SweepShape>(set.pieces[1].shape).trajectory.segments().size(), 2u);
 }
 
@@ -138,6 +139,18 @@ TEST(Document, DefaultsAreTheFormats) {
   EXPECT_EQ(document.depth, 6);
   EXPECT_EQ(document.background, glm::vec3(0));
   EXPECT_TRUE(document.lights.empty());
+}
+
+TEST(Document, CellsThatAreLeftOutAreTheShapesOwn) {
+  const Document document =
+      parse(scene_text("", R"({"name": "a", "plane": {"size": [1, 1]}, "tessellation": {"contour": 3}},
+             {"name": "b", "revolve": {"contour": {"line": [[1, 0], [1, 1]]}}, "tessellation": {"contour": 3}})"));
+  const sweep::Tessellation plane = document.objects[0].pieces[0].tessellation;
+  EXPECT_EQ(plane.contour, 3);
+  EXPECT_EQ(plane.trajectory, 1);
+  const sweep::Tessellation revolved = document.objects[1].pieces[0].tessellation;
+  EXPECT_EQ(revolved.contour, 3);
+  EXPECT_EQ(revolved.trajectory, 64);
 }
 
 TEST(Document, ACameraMayLeaveTheViewToTheFraming) {

@@ -85,8 +85,6 @@ TEST(Model, PartsBecomeOneMeshEachByItsOwnPlacement) {
   EXPECT_EQ(mesh.areas.size(), 2u);
   EXPECT_EQ(mesh.patches.size(), 2u);
   ASSERT_EQ(mesh.positions.size(), 8u);
-  glm::dvec3 low(1e9);
-  glm::dvec3 high(-1e9);
   for (std::size_t i = 0; i < 8; ++i) {
     const glm::dvec3 position = glm::dvec3(mesh.positions[i]) + mesh.origin;
     if (i < 4) {

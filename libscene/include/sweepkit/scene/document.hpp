@@ -49,10 +49,9 @@ struct PlaneShape {
 
 /// One shape with what belongs to it. An object has one, or several under "parts".
 struct Piece {
-  std::variant<SweepShape, RevolveShape, PlaneShape> shape;
-  Placement placement;  ///< object from piece
-  std::optional<sweep::Tessellation>
-      tessellation;  ///< without it the shape's own default: 64 x 64, a plane 1 x 1
+  std::variant<PlaneShape, SweepShape, RevolveShape> shape;
+  Placement placement;               ///< object from piece
+  sweep::Tessellation tessellation;  ///< what the file leaves out is 64, for a plane 1
   sweep::UvOptions uv;
   double crease_deg = 30;
   Place place;  ///< for messages about the geometry
