@@ -16,18 +16,11 @@ namespace sweepkit::render {
 class EyeRays {
  public:
   EyeRays(const scene::Camera& camera, int width, int height) : eye_(camera.eye) {
-    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    glm::dvec3 right = glm::cross(forward, camera.up);
-    // Looking along `up`, the picture's top is -Z, or +Z where the view is downwards along -Z itself.
-    if (glm::length(right) < 1e-9 * glm::length(camera.up)) {
-      right = glm::cross(forward, std::abs(forward.z) < 0.5 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0));
-    }
-    right = glm::normalize(right);
-    const glm::dvec3 up = glm::cross(right, forward);
+    const glm::dmat3 axes = scene::world_from_camera(camera);
     const double pixel = 2 * std::tan(0.5 * camera.fov_deg * std::numbers::pi / 180) / height;
-    across_ = pixel * right;
-    down_ = -pixel * up;
-    corner_ = forward - 0.5 * width * across_ - 0.5 * height * down_;
+    across_ = pixel * axes[0];
+    down_ = -pixel * axes[1];
+    corner_ = -axes[2] - 0.5 * width * across_ - 0.5 * height * down_;
   }
 
   Ray through(int x, int y) const {

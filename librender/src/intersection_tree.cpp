@@ -14,13 +14,13 @@ namespace {
 
 // The reflected ray. The interpolated normal can bend it into the surface at a grazing angle; there the
 // face's own is taken.
-Ray reflected(const SurfacePoint& point, const glm::dvec3& direction) {
+Ray reflected(const Hit& hit, const SurfacePoint& point, const glm::dvec3& direction) {
   const auto mirrored = [&](const glm::dvec3& normal) {
     return direction - 2 * glm::dot(direction, normal) * normal;
   };
   glm::dvec3 out = mirrored(point.shading_normal);
   if (!(glm::dot(out, point.face_normal) > 0)) out = mirrored(point.face_normal);
-  return {leave_surface(point, out), glm::normalize(out)};
+  return leave_surface(hit, point, point.position, glm::normalize(out));
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, int y, int width,
     row.roots.push_back(node);
     for (int level = 0; needs_trees_ && node >= 0 && level < scene_.depth; ++level) {
       if (!(material_of(scene_, hit.object).reflect > 0)) break;
-      ray = reflected(surface_point(tracer_, hit, ray.direction), ray.direction);
+      ray = reflected(hit, surface_point(tracer_, hit, ray.direction), ray.direction);
       hit = tracer_.nearest(ray);
       ++counts.reflected;
       const std::int32_t child = hit.is_hit() ? add_node(row, hit, ray, counts) : kEscaped;

@@ -8,13 +8,21 @@
 
 namespace sweepkit::render {
 
+inline constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
 struct Ray {
   glm::dvec3 origin;
   glm::dvec3 direction;  ///< any length but 0; t counts in lengths of it
-};
+  /// The triangle it leaves on its outer side, if any: a straight ray does not meet that one again, whatever
+  /// rounding says of a sliver.
+  std::uint32_t from_object = kNone;
+  std::uint32_t from_triangle = kNone;
 
-inline constexpr double kNoEnd = std::numeric_limits<double>::infinity();
-inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  bool leaves(std::uint32_t object, std::uint32_t triangle) const {
+    return triangle == from_triangle && object == from_object;
+  }
+};
 
 /// Where a ray meets a triangle (A, B, C): at t, barycentric coordinates (a, b, c).
 struct Hit {

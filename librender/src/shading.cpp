@@ -134,8 +134,8 @@ glm::dvec3 Shader::local_light(const TreeNode& at, const scene::Material& materi
     const double cosine = glm::dot(point.shading_normal, to_light.direction);
     if (!(cosine > 0)) continue;
     ++counts.shadow_rays;
-    const glm::dvec3 origin = start + point.error * point.face_normal;
-    if (tracer_.is_blocked({origin, to_light.direction}, to_light.distance)) continue;
+    if (tracer_.is_blocked(leave_surface(at.hit, point, start, to_light.direction), to_light.distance))
+      continue;
     glm::dvec3 share = diffuse * cosine;
     if (specular != glm::dvec3(0.0)) {
       const glm::dvec3 half = to_light.direction - at.direction;

@@ -27,6 +27,11 @@ glm::dvec3 weighed(const Corners& corners, const Hit& hit) {
   return hit.a * corners.a + hit.b * corners.b + hit.c * corners.c;
 }
 
+// |matrix| vector, for a vector of magnitudes.
+glm::dvec3 abs_product(const glm::dmat3& matrix, const glm::dvec3& vector) {
+  return glm::abs(matrix[0]) * vector.x + glm::abs(matrix[1]) * vector.y + glm::abs(matrix[2]) * vector.z;
+}
+
 glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& fallback) {
   const double length = glm::length(vector);
   return length > 0 ? vector / length : fallback;
@@ -41,17 +46,23 @@ SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec
   SurfacePoint point;
   point.position = glm::dvec3(object.world_from_mesh * glm::dvec4(local, 1));
 
-  // Interpolation and the way to the world are sums of at most 3 and 4 products of the magnitudes below, and
-  // the next ray undergoes the way back: 64 roundings bound them all with room.
-  const glm::dmat3 linear(object.world_from_mesh);
-  const glm::dvec3 size = glm::max(glm::abs(corners.a), glm::max(glm::abs(corners.b), glm::abs(corners.c)));
-  const glm::dvec3 magnitude = glm::abs(linear[0]) * size.x + glm::abs(linear[1]) * size.y +
-                               glm::abs(linear[2]) * size.z + glm::abs(glm::dvec3(object.world_from_mesh[3]));
-  point.error =
-      64 * std::numeric_limits<double>::epsilon() * std::max({magnitude.x, magnitude.y, magnitude.z});
+  const glm::dvec3 face = unit_or(glm::cross(corners.b - corners.a, corners.c - corners.a), glm::dvec3(0.0));
+  const glm::dvec3 world_face = object.normal_to_world * face;
+  point.face_normal = unit_or(world_face, -direction);
 
-  const glm::dvec3 face = object.normal_to_world * glm::cross(corners.b - corners.a, corners.c - corners.a);
-  point.face_normal = unit_or(face, -direction);
+  // The next ray starts from this point taken back to mesh space. Interpolation, the way to the world and the
+  // way back are sums of at most 3, 4 and 4 products of the magnitudes below, through an inverse that is good
+  // to as many roundings: 64 roundings bound them all with room. Across the face that is |face| . moved, and
+  // a step of 1 along the world's normal is one of |world_face| along the mesh's: an object that is
+  // flattened a thousandfold needs no less than that.
+  const glm::dvec3 size = glm::max(glm::abs(corners.a), glm::max(glm::abs(corners.b), glm::abs(corners.c)));
+  const glm::dvec3 reach =
+      abs_product(glm::dmat3(object.world_from_mesh), size) + glm::abs(glm::dvec3(object.world_from_mesh[3]));
+  const glm::dvec3 moved = abs_product(glm::dmat3(object.mesh_from_world), reach) + size;
+  const double scale = glm::length(world_face);
+  point.error =
+      scale > 0 ? 64 * std::numeric_limits<double>::epsilon() * glm::dot(glm::abs(face), moved) / scale : 0;
+
   point.shading_normal = unit_or(
       object.normal_to_world * weighed(normals_of(*object.mesh, hit.triangle), hit), point.face_normal);
   if (glm::dot(point.face_normal, direction) > 0) point.face_normal = -point.face_normal;
@@ -59,9 +70,15 @@ SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec
   return point;
 }
 
-glm::dvec3 leave_surface(const SurfacePoint& point, const glm::dvec3& direction) {
-  const glm::dvec3 off = point.error * point.face_normal;
-  return glm::dot(direction, point.face_normal) >= 0 ? point.position + off : point.position - off;
+Ray leave_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& start,
+                  const glm::dvec3& direction) {
+  Ray ray{start + point.error * point.face_normal, direction};
+  // Towards a light that only the shading normal sees the way may lead down through the face itself.
+  if (glm::dot(direction, point.face_normal) > 0) {
+    ray.from_object = hit.object;
+    ray.from_triangle = hit.triangle;
+  }
+  return ray;
 }
 
 glm::dvec3 smooth_start(const Tracer& tracer, const Hit& hit, const SurfacePoint& point) {

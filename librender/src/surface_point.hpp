@@ -14,13 +14,15 @@ struct SurfacePoint {
   glm::dvec3 position;
   glm::dvec3 face_normal;     ///< of the triangle
   glm::dvec3 shading_normal;  ///< interpolated
-  double error;               ///< metres: no coordinate of `position` is farther off the triangle than this
+  double error;  ///< metres: moved this far along its normal, `position` is off the triangle for certain
 };
 
 SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction);
 
-/// A start for a ray that leaves the surface towards `direction`, moved off it by the point's error bound.
-glm::dvec3 leave_surface(const SurfacePoint& point, const glm::dvec3& direction);
+/// The ray that leaves `hit` from `start`, on the surface or above it, for `direction`. It starts off the
+/// triangle by the point's error bound, on the side that is seen.
+Ray leave_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& start,
+                  const glm::dvec3& direction);
 
 /// A start for shadow rays on the smooth surface that the normals stand for, so that a coarse mesh throws no
 /// shadow of its facets on itself [Hanika21].

@@ -25,7 +25,9 @@ constexpr double kVoxelAreas = 1.5;
 constexpr double kVoxelsPerTriangle = 8;
 
 glm::dmat4 affine_inverse(const glm::dmat4& matrix) {
-  const glm::dmat3 linear = glm::inverse(glm::dmat3(matrix));
+  // Cofactors of a lopsided matrix lose digits; a step of Newton's brings them back.
+  const glm::dmat3 rough = glm::inverse(glm::dmat3(matrix));
+  const glm::dmat3 linear = rough + rough * (glm::dmat3(1.0) - glm::dmat3(matrix) * rough);
   glm::dmat4 inverse(linear);
   inverse[3] = glm::dvec4(-(linear * glm::dvec3(matrix[3])), 1);
   return inverse;
@@ -34,7 +36,7 @@ glm::dmat4 affine_inverse(const glm::dmat4& matrix) {
 Ray to_mesh_space(const TracedObject& object, const Ray& ray) {
   // Direction not normalized: t is the same in both spaces.
   return {glm::dvec3(object.mesh_from_world * glm::dvec4(ray.origin, 1)),
-          glm::dmat3(object.mesh_from_world) * ray.direction};
+          glm::dmat3(object.mesh_from_world) * ray.direction, ray.from_object, ray.from_triangle};
 }
 
 VoxelGrid grid_over(const scene::MeshView& mesh) {
@@ -121,7 +123,8 @@ void nearest_in_grid(const TracedObject& object, std::uint32_t index, const Ray&
     for (std::uint32_t i = grid.first[voxel]; i < grid.first[voxel + 1]; ++i) {
       const std::uint32_t triangle = grid.items[i];
       Hit found;
-      if (recent.add(triangle) && test_triangle(*object.mesh, sheared, triangle, best.t, found)) {
+      if (recent.add(triangle) && test_triangle(*object.mesh, sheared, triangle, best.t, found) &&
+          !ray.leaves(index, triangle)) {
         keep_nearer(best, found, index, triangle);
       }
     }
@@ -129,7 +132,7 @@ void nearest_in_grid(const TracedObject& object, std::uint32_t index, const Ray&
   });
 }
 
-bool is_blocked_in_grid(const TracedObject& object, const Ray& world_ray, double end) {
+bool is_blocked_in_grid(const TracedObject& object, std::uint32_t index, const Ray& world_ray, double end) {
   const Ray ray = to_mesh_space(object, world_ray);
   const ShearedRay sheared(ray);
   const VoxelGrid& grid = object.grid;
@@ -137,9 +140,10 @@ bool is_blocked_in_grid(const TracedObject& object, const Ray& world_ray, double
   bool is_blocked = false;
   walk(grid, ray, end, [&](std::size_t voxel, double) {
     for (std::uint32_t i = grid.first[voxel]; i < grid.first[voxel + 1] && !is_blocked; ++i) {
+      const std::uint32_t triangle = grid.items[i];
       Hit found;
-      is_blocked = recent.add(grid.items[i]) &&
-                   test_triangle(*object.mesh, sheared, grid.items[i], end, found) && found.t < end;
+      is_blocked = recent.add(triangle) && test_triangle(*object.mesh, sheared, triangle, end, found) &&
+                   found.t < end && !ray.leaves(index, triangle);
     }
     return is_blocked;
   });
@@ -158,7 +162,7 @@ Tracer::Tracer(const scene::Scene& scene, bool has_global_grid, Search search)
     object.world_from_mesh = entry.world_from_object * from_origin;
     object.mesh_from_world = affine_inverse(object.world_from_mesh);
     object.normal_to_world = glm::transpose(glm::dmat3(object.mesh_from_world));
-    if (search_ == Search::kGrids) object.grid = grid_over(*object.mesh);
+    if (search_ == Search::kGrids && !object.mesh->triangles.empty()) object.grid = grid_over(*object.mesh);
     objects_.push_back(std::move(object));
   }
   if (!has_global_grid_) return;
@@ -205,7 +209,8 @@ Hit Tracer::nearest(const Ray& ray) const {
       const ShearedRay sheared(to_mesh_space(objects_[i], ray));
       for (std::uint32_t t = 0; t < objects_[i].mesh->triangles.size(); ++t) {
         Hit found;
-        if (test_triangle(*objects_[i].mesh, sheared, t, best.t, found)) keep_nearer(best, found, i, t);
+        if (test_triangle(*objects_[i].mesh, sheared, t, best.t, found) && !ray.leaves(i, t))
+          keep_nearer(best, found, i, t);
       }
     }
     return best;
@@ -224,13 +229,14 @@ bool Tracer::is_blocked(const Ray& ray, double end) const {
       const ShearedRay sheared(to_mesh_space(objects_[i], ray));
       for (std::uint32_t t = 0; t < objects_[i].mesh->triangles.size() && !is_blocked; ++t) {
         Hit found;
-        is_blocked = test_triangle(*objects_[i].mesh, sheared, t, end, found) && found.t < end;
+        is_blocked =
+            test_triangle(*objects_[i].mesh, sheared, t, end, found) && found.t < end && !ray.leaves(i, t);
       }
     }
     return is_blocked;
   }
   for_objects_along(ray, end, [&](std::uint32_t object, double) {
-    if (object != kNone) is_blocked = is_blocked_in_grid(objects_[object], ray, end);
+    if (object != kNone) is_blocked = is_blocked_in_grid(objects_[object], object, ray, end);
     return is_blocked;
   });
   return is_blocked;

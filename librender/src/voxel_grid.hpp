@@ -37,6 +37,16 @@ struct VoxelGrid {
   std::size_t index(const glm::ivec3& at) const {
     return (static_cast<std::size_t>(at.z) * count.y + at.y) * count.x + at.x;
   }
+  /// The voxel that holds `point`; for a point outside, or one that is no number, the nearest or any.
+  glm::ivec3 voxel_of(const glm::dvec3& point) const {
+    glm::ivec3 at(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double cells = (point[axis] - box.low[axis]) / cell[axis];
+      // Clamped before the conversion, which has no result for a number too large.
+      if (cells >= 1) at[axis] = cells < count[axis] ? static_cast<int>(cells) : count[axis] - 1;
+    }
+    return at;
+  }
   std::size_t bytes() const { return (first.size() + items.size()) * sizeof(std::uint32_t); }
 };
 
@@ -67,12 +77,8 @@ void fill_grid(VoxelGrid& grid, std::uint32_t n, BoxOf&& box_of, Overlaps&& over
       1e-9 * std::max({grid.cell.x * grid.count.x, grid.cell.y * grid.count.y, grid.cell.z * grid.count.z});
   const auto for_each_voxel = [&](std::uint32_t item, auto&& use) {
     const Box box = box_of(item);
-    const auto clamped = [&](const glm::dvec3& p) {
-      return glm::clamp(glm::ivec3(glm::floor((p - grid.box.low) / grid.cell)), glm::ivec3(0),
-                        grid.count - 1);
-    };
-    const glm::ivec3 from = clamped(box.low - slack);
-    const glm::ivec3 to = clamped(box.high + slack);
+    const glm::ivec3 from = grid.voxel_of(box.low - slack);
+    const glm::ivec3 to = grid.voxel_of(box.high + slack);
     const glm::ivec3 extent = to - from + 1;
     // One or two voxels are taken without a closer look.
     const bool is_small = extent.x * extent.y * extent.z <= 2;
@@ -107,20 +113,19 @@ void walk(const VoxelGrid& grid, const Ray& ray, double end, Visit&& visit) {
   for (int axis = 0; axis < 3; ++axis) {
     const double d = ray.direction[axis];
     if (d == 0) {
-      if (ray.origin[axis] < grid.box.low[axis] || ray.origin[axis] > grid.box.high[axis]) return;
+      if (!(ray.origin[axis] >= grid.box.low[axis] && ray.origin[axis] <= grid.box.high[axis])) return;
       continue;
     }
     double near = (grid.box.low[axis] - ray.origin[axis]) / d;
     double far = (grid.box.high[axis] - ray.origin[axis]) / d;
     if (d < 0) std::swap(near, far);
+    if (!(near <= far)) return;  // no numbers
     enter = std::max(enter, near);
     leave = std::min(leave, far);
   }
-  if (!(enter <= leave)) return;
+  if (!(enter <= leave && enter < kNoEnd)) return;
 
-  const glm::dvec3 start = ray.origin + enter * ray.direction;
-  glm::ivec3 at =
-      glm::clamp(glm::ivec3(glm::floor((start - grid.box.low) / grid.cell)), glm::ivec3(0), grid.count - 1);
+  glm::ivec3 at = grid.voxel_of(ray.origin + enter * ray.direction);
   std::array<int, 3> step;
   std::array<double, 3> next;
   const auto boundary = [&](int axis) {
