@@ -3,6 +3,7 @@
 #include "sweepkit/texmap/procedural.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -17,18 +18,35 @@ namespace {
 // Past 2^52 a double has no fraction left; patterns are held there instead of turned to noise.
 constexpr double kFarthest = 4503599627370496.0;
 
-std::vector<glm::vec3> default_colors(ProceduralKind kind) {
+using Colors = std::span<const glm::vec3>;
+
+Colors default_colors(ProceduralKind kind) {
+  static constexpr glm::vec3 kIvory(0.85f, 0.83f, 0.78f);
+  static constexpr glm::vec3 kSlate(0.06f, 0.065f, 0.07f);
+  static constexpr std::array kChecker = {kIvory, kSlate};
+  static constexpr glm::vec3 kSand(0.72f, 0.64f, 0.52f);
+  static constexpr glm::vec3 kTerracotta(0.42f, 0.14f, 0.08f);
+  static constexpr glm::vec3 kMortar(0.28f, 0.26f, 0.24f);
+  static constexpr std::array kTiles = {kSand, kTerracotta, kMortar};
+  static constexpr glm::vec3 kClay(0.72f, 0.58f, 0.36f);
+  static constexpr glm::vec3 kRust(0.32f, 0.07f, 0.035f);
+  static constexpr glm::vec3 kIndigo(0.03f, 0.07f, 0.16f);
+  static constexpr std::array kBands = {kClay, kRust, kClay, kIndigo};
+  static constexpr glm::vec3 kVein(0.16f, 0.18f, 0.23f);
+  static constexpr glm::vec3 kCloud(0.66f, 0.67f, 0.69f);
+  static constexpr glm::vec3 kWhite(0.86f, 0.85f, 0.83f);
+  static constexpr std::array kMarble = {kVein, kCloud, kWhite};
   switch (kind) {
     case ProceduralKind::kChecker:
-      return {{0.85f, 0.83f, 0.78f}, {0.06f, 0.065f, 0.07f}};
+      return kChecker;
     case ProceduralKind::kTiles:
-      return {{0.72f, 0.64f, 0.52f}, {0.42f, 0.14f, 0.08f}, {0.28f, 0.26f, 0.24f}};
+      return kTiles;
     case ProceduralKind::kBands:
-      return {{0.72f, 0.58f, 0.36f}, {0.32f, 0.07f, 0.035f}, {0.72f, 0.58f, 0.36f}, {0.03f, 0.07f, 0.16f}};
+      return kBands;
     case ProceduralKind::kMarble:
-      return {{0.16f, 0.18f, 0.23f}, {0.66f, 0.67f, 0.69f}, {0.86f, 0.85f, 0.83f}};
+      return kMarble;
   }
-  return {glm::vec3(0.8f)};
+  return kChecker;
 }
 
 std::int64_t cell(double x) {
@@ -39,7 +57,7 @@ bool is_whole(double scale) {
   return scale >= 1 && scale == std::floor(scale);
 }
 
-glm::vec3 checker(std::span<const glm::vec3> colors, const glm::dvec3& p) {
+glm::vec3 checker(Colors colors, const glm::dvec3& p) {
   const std::int64_t parity = cell(2 * p.x) + cell(2 * p.y) + cell(2 * p.z);
   return colors[(parity & 1) != 0 && colors.size() > 1 ? 1 : 0];
 }
@@ -58,7 +76,7 @@ std::size_t tile_color(std::int64_t x, std::int64_t y, std::size_t count, double
   return static_cast<std::size_t>((h >> 33) % count);
 }
 
-glm::vec3 tiles(std::span<const glm::vec3> colors, const Procedural& procedural, double x, double y) {
+glm::vec3 tiles(Colors colors, const Procedural& procedural, double x, double y) {
   const double half = 0.5 * procedural.grout;
   const double fx = x - std::floor(x);
   const double fy = y - std::floor(y);
@@ -68,7 +86,7 @@ glm::vec3 tiles(std::span<const glm::vec3> colors, const Procedural& procedural,
   return colors[tile_color(cell(x), cell(y), colors.size() - 1, procedural.scale)];
 }
 
-glm::vec3 bands(std::span<const glm::vec3> colors, std::span<const double> widths, double y) {
+glm::vec3 bands(Colors colors, std::span<const double> widths, double y) {
   const double t = y - std::floor(y);
   if (widths.size() != colors.size()) {
     return colors[std::min(static_cast<std::size_t>(t * static_cast<double>(colors.size())),
@@ -82,7 +100,7 @@ glm::vec3 bands(std::span<const glm::vec3> colors, std::span<const double> width
   return colors.back();
 }
 
-glm::vec3 marble(std::span<const glm::vec3> colors, const Procedural& procedural, const glm::dvec3& p) {
+glm::vec3 marble(Colors colors, const Procedural& procedural, const glm::dvec3& p) {
   const double bend = procedural.turbulence * turbulence(p, std::clamp(procedural.octaves, 1, 16));
   const double wave = 0.5 + 0.5 * std::sin(2 * std::numbers::pi * p.x + bend);
   // The square root keeps the dark veins thin.
@@ -99,9 +117,8 @@ glm::vec3 evaluate(const Procedural& procedural, glm::dvec2 uv, const glm::dvec3
   glm::dvec3 p = procedural.scale * (is_on_uv ? glm::dvec3(uv, 0) : position);
   p = glm::clamp(p, glm::dvec3(-kFarthest), glm::dvec3(kFarthest));
   if (p != p) p = glm::dvec3(0.0);
-  const std::vector<glm::vec3> own =
-      procedural.colors.empty() ? default_colors(procedural.kind) : std::vector<glm::vec3>{};
-  const std::span<const glm::vec3> colors = procedural.colors.empty() ? own : procedural.colors;
+  const Colors colors =
+      procedural.colors.empty() ? default_colors(procedural.kind) : Colors(procedural.colors);
   switch (procedural.kind) {
     case ProceduralKind::kChecker:
       return checker(colors, p);
