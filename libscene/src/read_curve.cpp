@@ -56,9 +56,10 @@ sweep::Curve<D> read_curve(const Node& node) {
   for (const std::string& name : kKinds) {
     const std::optional<Node> member = reader.find(name);
     if (!member) continue;
-    if (chosen)
+    if (chosen) {
       member->fail("a curve is of one kind, but there is \"" + kind + "\" and \"" + name +
                    "\"; leave one out");
+    }
     chosen = member;
     kind = name;
   }

@@ -50,6 +50,7 @@ Section make_section(const Curve2& contour, int cells, double crease_deg, UvBy b
   double direction = 1;
   if (section.is_closed) {
     std::vector<glm::dvec2> outline;
+    outline.reserve(stations.size());
     for (const Station& station : stations) outline.push_back(contour.evaluate(station.out).position);
     outline.pop_back();
     check_outline(outline);

@@ -78,7 +78,8 @@ Vector<D> tangent_of(const Segment<D>& segment, double t, const CurvePoint<D>& h
   const bool is_backward = t == 1 || glm::dot(here.first, here.second) < 0;
   const double bend = glm::length(here.second);
   if (bend > 1e-6 * scale) return (is_backward ? -here.second : here.second) / bend;
-  for (double step = 1e-5; step <= 1.0; step *= 4) {
+  double step = 1e-5;
+  for (int tries = 0; tries < 9; ++tries, step *= 4) {  // up to 0.66
     const double other = is_backward ? std::max(0.0, t - step) : std::min(1.0, t + step);
     Vector<D> chord = evaluate<D>(segment, other).position - here.position;
     if (is_backward) chord = -chord;

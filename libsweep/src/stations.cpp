@@ -106,6 +106,7 @@ std::vector<Station> reversed(const Curve<D>& curve, std::vector<Station> statio
 
 std::vector<double> texture_fractions(const std::vector<Station>& stations, UvBy by) {
   std::vector<double> fractions;
+  fractions.reserve(stations.size());
   const double total = stations.back().length;
   for (const Station& station : stations) {
     fractions.push_back(by == UvBy::kParameter ? station.parameter : station.length / total);

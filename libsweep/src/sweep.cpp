@@ -45,6 +45,7 @@ glm::dvec3 normal_of(const Row& row, const RowSide& side, double closing_rate, c
 std::vector<bool> row_breaks(const std::vector<Row>& rows, double crease_deg) {
   const double crease_cos = crease_cosine(crease_deg);
   std::vector<bool> breaks;
+  breaks.reserve(rows.size());
   for (const Row& row : rows) {
     breaks.push_back(row.is_corner && glm::dot(row.in.frame.tangent, row.out.frame.tangent) < crease_cos);
   }

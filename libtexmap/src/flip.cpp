@@ -92,8 +92,8 @@ Plane convolve(const Plane& in, const std::vector<double>& along_x, const std::v
   for (int y = 0; y < in.height; ++y) {
     for (int x = 0; x < in.width; ++x) {
       double sum = 0;
-      for (int k = -radius; k <= radius; ++k) {
-        sum += along_x[static_cast<std::size_t>(k + radius)] * in.at(std::clamp(x + k, 0, in.width - 1), y);
+      for (int k = 0; k <= 2 * radius; ++k) {
+        sum += along_x[k] * in.at(std::clamp(x + k - radius, 0, in.width - 1), y);
       }
       middle.at(x, y) = sum;
     }
@@ -102,9 +102,8 @@ Plane convolve(const Plane& in, const std::vector<double>& along_x, const std::v
   for (int y = 0; y < in.height; ++y) {
     for (int x = 0; x < in.width; ++x) {
       double sum = 0;
-      for (int k = -radius; k <= radius; ++k) {
-        sum +=
-            along_y[static_cast<std::size_t>(k + radius)] * middle.at(x, std::clamp(y + k, 0, in.height - 1));
+      for (int k = 0; k <= 2 * radius; ++k) {
+        sum += along_y[k] * middle.at(x, std::clamp(y + k - radius, 0, in.height - 1));
       }
       out.at(x, y) = sum;
     }
