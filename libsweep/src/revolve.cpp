@@ -82,7 +82,7 @@ Mesh revolve(const Curve2& contour, const RevolveOptions& options) {
 
   Mesh mesh;
   mesh.origin = choose_origin(low, high);
-  std::vector<bool> turn_breaks(static_cast<std::size_t>(columns) + 1, false);
+  const std::vector<bool> turn_breaks(static_cast<std::size_t>(columns) + 1, false);
   const std::vector<Run> column_runs = split_runs(turn_breaks);
   const std::vector<Run> row_runs = split_runs(breaks);
   const glm::dvec2 period(is_whole ? options.uv.repeat.x : 0, section.is_closed ? options.uv.repeat.y : 0);
@@ -99,24 +99,17 @@ Mesh revolve(const Curve2& contour, const RevolveOptions& options) {
   const std::span<glm::vec3> positions = mesh.positions();
   const std::span<glm::vec3> normals = mesh.normals();
   const std::span<glm::vec2> texcoords = mesh.texcoords();
-  std::size_t vertex = 0;
-  for (const Run& run : row_runs) {
-    if (run.last - run.first == 1 && poles[run.first] && poles[run.last]) continue;
-    for (std::size_t j = run.first; j <= run.last; ++j) {
-      const SectionPoint& point = section.points[j];
-      const glm::dvec2& tangent = j == run.first ? point.tangent_out : point.tangent_in;
-      const double r = point.position.x;
-      const auto v = static_cast<float>(section.fractions[j] * options.uv.repeat.y);
-      const std::size_t first = poles[j] && j == run.first ? 1 : 0;
-      const std::size_t last = poles[j] && j == run.last ? turn.size() - 2 : turn.size() - 1;
-      for (std::size_t i = first; i <= last; ++i, ++vertex) {
+  for_each_wall_vertex(
+      0, column_runs, row_runs, poles,
+      [&](std::size_t vertex, std::size_t i, std::size_t j, const Run&, const Run& run) {
+        const SectionPoint& point = section.points[j];
+        const glm::dvec2& tangent = j == run.first ? point.tangent_out : point.tangent_in;
+        const double r = point.position.x;
         const auto [c, s] = turn[i];
         positions[vertex] = glm::vec3(glm::dvec3(r * c, point.position.y, -r * s) - mesh.origin);
         normals[vertex] = glm::vec3(glm::dvec3(tangent.y * c, -tangent.x, -tangent.y * s));
-        texcoords[vertex] = {u[i], v};
-      }
-    }
-  }
+        texcoords[vertex] = {u[i], static_cast<float>(section.fractions[j] * options.uv.repeat.y)};
+      });
   if (options.caps == Caps::kFlat && section.is_closed && !is_whole) {
     add_cap(mesh, section, half_plane(0, true), false);
     add_cap(mesh, section, half_plane(options.angle_deg, false), true);

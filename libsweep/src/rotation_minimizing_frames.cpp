@@ -38,11 +38,6 @@ Frame make_frame(const glm::dvec3& normal, const glm::dvec3& tangent) {
   return {n, glm::cross(tangent, n), tangent};
 }
 
-Frame turned(const Frame& frame, double angle) {
-  const glm::dvec3 n = std::cos(angle) * frame.normal + std::sin(angle) * frame.binormal;
-  return {n, glm::cross(frame.tangent, n), frame.tangent};
-}
-
 // The normal carried along one segment from parameter `from` to `to`. The steps are even in the parameter,
 // which the method does not mind and which costs no arc length.
 glm::dvec3 carry_along_segment(const Segment<3>& segment, double from, double to, const glm::dvec3& normal) {
@@ -110,54 +105,35 @@ glm::dvec3 turn_normal(const glm::dvec3& normal, const glm::dvec3& from_tangent,
   return reflected - 2 * glm::dot(to_tangent, reflected) * to_tangent;
 }
 
-Frame first_frame(const glm::dvec3& tangent) {
-  glm::dvec3 binormal = perpendicular_part({0, 1, 0}, tangent);
-  // Within a millionth of a right angle the projection is mostly rounding; -Z stands in for +Y there.
-  if (glm::length(binormal) < 1e-6) binormal = perpendicular_part({0, 0, -1}, tangent);
+Frame first_frame(const glm::dvec3& tangent, const glm::dvec3& up) {
+  glm::dvec3 binormal(0.0);
+  // Within a millionth of a right angle the projection is mostly rounding.
+  for (const glm::dvec3& direction : {glm::normalize(up), glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0)}) {
+    binormal = perpendicular_part(direction, tangent);
+    if (glm::length(binormal) >= 1e-6) break;
+  }
   binormal = glm::normalize(binormal);
   return {glm::cross(binormal, tangent), binormal, tangent};
 }
 
-FramesAlong rotation_minimizing_frames(const Curve3& trajectory, std::span<const Station> stations) {
-  FramesAlong along;
+std::vector<StationFrames> rotation_minimizing_frames(const Curve3& trajectory,
+                                                      std::span<const Station> stations,
+                                                      const glm::dvec3& up) {
   const std::size_t count = stations.size();
-  along.frames.reserve(count);
-  const Frame start = first_frame(trajectory.tangent(stations.front().out));
-  along.frames.push_back({start, start});
+  std::vector<StationFrames> frames(count);
+  frames[0].out.frame = first_frame(trajectory.tangent(stations[0].out), up);
+  frames[0].in = frames[0].out;
   for (std::size_t i = 1; i < count; ++i) {
     const glm::dvec3 carried =
-        carry(trajectory, stations[i - 1], stations[i], along.frames.back().out.normal);
+        carry(trajectory, stations[i - 1], stations[i], frames[i - 1].out.frame.normal);
     const Frame in = make_frame(carried, trajectory.tangent(stations[i].in));
-    Frame out = in;
+    frames[i] = {{in}, {in}};
     if (stations[i].is_corner && i + 1 < count) {
       const glm::dvec3 tangent = trajectory.tangent(stations[i].out);
-      out = make_frame(turn_normal(in.normal, in.tangent, tangent), tangent);
+      frames[i].out.frame = make_frame(turn_normal(in.normal, in.tangent, tangent), tangent);
     }
-    along.frames.push_back({in, out});
   }
-  if (!trajectory.is_closed()) return along;
-
-  // What the loop has turned the frame by when it comes home, spread over its length.
-  const Frame& end = along.frames.back().in;
-  const glm::dvec3 home = turn_normal(end.normal, end.tangent, start.tangent);
-  double leftover = std::atan2(glm::dot(home, start.binormal), glm::dot(home, start.normal));
-  // A loop in a plane, or any other that mirrors itself, comes home as it left: what is left over is
-  // rounding.
-  if (std::abs(leftover) <= kStepAgreement) leftover = 0;
-  along.closing_rate = -leftover / trajectory.length();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double angle = along.closing_rate * stations[i].length;
-    along.frames[i].in = turned(along.frames[i].in, angle);
-    along.frames[i].out = turned(along.frames[i].out, angle);
-  }
-  // First and last are one place: the same bits.
-  along.frames.front().in = along.frames.back().in;
-  along.frames.back().out = along.frames.front().out;
-  if (!stations.front().is_corner) {
-    along.frames.front().in = along.frames.front().out;
-    along.frames.back().in = along.frames.front().out;
-  }
-  return along;
+  return frames;
 }
 
 }  // namespace sweepkit::sweep

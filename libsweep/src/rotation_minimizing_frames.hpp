@@ -6,17 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "frames.hpp"
 #include "stations.hpp"
 #include "sweepkit/sweep/curve.hpp"
 
 namespace sweepkit::sweep {
-
-/// An orthonormal right-handed frame (N, B, T): N x B = T.
-struct Frame {
-  glm::dvec3 normal;
-  glm::dvec3 binormal;
-  glm::dvec3 tangent;
-};
 
 /// A point of a trajectory and its unit tangent.
 struct TangentPoint {
@@ -33,21 +27,14 @@ glm::dvec3 double_reflection(const glm::dvec3& normal, const TangentPoint& from,
 glm::dvec3 turn_normal(const glm::dvec3& normal, const glm::dvec3& from_tangent,
                        const glm::dvec3& to_tangent);
 
-/// The frame at a trajectory's start: B is +Y made perpendicular to T, or -Z where T is along +-Y.
-Frame first_frame(const glm::dvec3& tangent);
+/// The frame at a trajectory's start: B is `up` made perpendicular to T; where T is along `up` -Z stands in,
+/// and +Y where T is along that too.
+Frame first_frame(const glm::dvec3& tangent, const glm::dvec3& up);
 
-/// The frames in which the curve arrives at and leaves each station.
-struct StationFrames {
-  Frame in;
-  Frame out;
-};
-
-struct FramesAlong {
-  std::vector<StationFrames> frames;
-  double closing_rate =
-      0;  ///< radians about T a metre, already applied: spreads a closed trajectory's leftover angle
-};
-
-FramesAlong rotation_minimizing_frames(const Curve3& trajectory, std::span<const Station> stations);
+/// The frames at the stations, from first_frame() on. A closed trajectory's may come home turned: closing
+/// them is orient()'s (orientation.hpp).
+std::vector<StationFrames> rotation_minimizing_frames(const Curve3& trajectory,
+                                                      std::span<const Station> stations,
+                                                      const glm::dvec3& up = {0, 1, 0});
 
 }  // namespace sweepkit::sweep

@@ -5,9 +5,10 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "rotation_minimizing_frames.hpp"
+#include "frames.hpp"
 #include "stations.hpp"
 #include "sweepkit/sweep/curve.hpp"
+#include "sweepkit/sweep/options.hpp"
 
 namespace sweepkit::sweep {
 
@@ -16,6 +17,7 @@ struct RowSide {
   Frame frame;
   glm::dvec3 x_rate{0.0};  ///< X', a metre
   glm::dvec3 y_rate{0.0};
+  bool is_plain = true;  ///< nothing but the trajectory's own bend changes the axes
 };
 
 /// The section's place at a station: S = center + x x_axis + y y_axis. At a corner it lies in the mitre
@@ -24,13 +26,18 @@ struct Row {
   glm::dvec3 center;
   glm::dvec3 x_axis;
   glm::dvec3 y_axis;
+  /// The axes' directions, with lengths in proportion to theirs: at a pole, where those are 0, too.
+  glm::dvec3 x_direction;
+  glm::dvec3 y_direction;
   RowSide in, out;
   bool is_corner = false;
+  bool is_pole = false;  ///< the profile has shrunk the section to a point
 };
 
 /// A row for every station. A closed trajectory's last is its first, to the bit. Throws InputError where the
-/// trajectory turns back on itself.
+/// trajectory turns back on itself, where the profile is below 0, and where that of a closed trajectory does
+/// not end as it began.
 std::vector<Row> make_rows(const Curve3& trajectory, const std::vector<Station>& stations,
-                           const FramesAlong& along);
+                           const std::vector<StationFrames>& frames, const Profile& profile);
 
 }  // namespace sweepkit::sweep

@@ -43,6 +43,32 @@ double crease_cosine(double crease_deg) {
   return cos_sin_deg(crease_deg).cos;
 }
 
+int symmetry_of(const Section& section) {
+  if (!section.is_closed) return 1;
+  // Vertices this near to each other, as a share of the section's size, are the same: arcs and hand-typed
+  // coordinates are less exact than double, and float32 shows no less.
+  constexpr double kSame = 1e-7;
+  const auto count = static_cast<int>(section.points.size()) - 1;
+  double reach = 0;
+  for (const SectionPoint& point : section.points) reach = std::max(reach, glm::length(point.position));
+  const auto is_onto_itself = [&](int turns) {
+    const auto [c, s] = cos_sin_turn(1, turns);
+    for (int i = 0; i < count; ++i) {
+      const auto from = static_cast<std::size_t>(i);
+      const auto to = static_cast<std::size_t>((i + count / turns) % count);
+      const glm::dvec2 p = section.points[from].position;
+      const glm::dvec2 turned(c * p.x - s * p.y, s * p.x + c * p.y);
+      if (glm::length(section.points[to].position - turned) > kSame * reach) return false;
+      if (section.breaks[to] != section.breaks[from]) return false;
+    }
+    return true;
+  };
+  for (int turns = count; turns > 1; --turns) {
+    if (count % turns == 0 && is_onto_itself(turns)) return turns;
+  }
+  return 1;
+}
+
 Section make_section(const Curve2& contour, int cells, double crease_deg, UvBy by) {
   std::vector<Station> stations = place_stations(contour, cells);
   Section section;

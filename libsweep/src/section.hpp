@@ -30,6 +30,10 @@ struct Section {
 /// crease angle that is none.
 Section make_section(const Curve2& contour, int cells, double crease_deg, UvBy by);
 
+/// The largest number of turns in a circle that bring a closed section onto itself, vertex by vertex: k turns
+/// of a k-th of a circle, each moving every vertex on by points / k places. 1 for one without symmetry.
+int symmetry_of(const Section& section);
+
 /// Two directions whose product is below this bend by more than `crease_deg`. Throws InputError unless 0 <=
 /// crease_deg <= 180.
 double crease_cosine(double crease_deg);

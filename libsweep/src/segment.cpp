@@ -3,7 +3,7 @@
 //
 // Points, derivatives and directions of one segment.
 // Bezier segments by de Casteljau's corner cutting: only convex combinations, so the error stays at a few
-// units in the last place times the condition number at any degree. Its last three levels give the
+// units in the last place times the condition number at any degree. Its last four levels give the
 // derivatives.
 // The direction at a point where the speed is 0: near t + h the curve moves along h S'', so S'' leads on from
 // there and -S'' led to it; where S'' is 0 as well, a short chord stands in.
@@ -30,8 +30,13 @@ CurvePoint<D> evaluate_segment(const BezierSegment<D>& segment, double t) {
   Vector<D>* level = degree < kCommonSize ? common.data() : large.data();
   std::copy(segment.control.begin(), segment.control.end(), level);
   const auto n = static_cast<double>(degree);
-  CurvePoint<D> point{Vector<D>(0.0), Vector<D>(0.0), Vector<D>(0.0)};
+  CurvePoint<D> point{Vector<D>(0.0), Vector<D>(0.0), Vector<D>(0.0), Vector<D>(0.0)};
   for (std::size_t left = degree; left > 0; --left) {
+    if (left == 3) {
+      const Vector<D> middle = level[2] - level[1];
+      point.third =
+          n * (n - 1) * (n - 2) * (((level[3] - level[2]) - middle) - (middle - (level[1] - level[0])));
+    }
     if (left == 2) point.second = n * (n - 1) * ((level[2] - level[1]) - (level[1] - level[0]));
     if (left == 1) point.first = n * (level[1] - level[0]);
     for (std::size_t i = 0; i < left; ++i) level[i] = (1 - t) * level[i] + t * level[i + 1];
@@ -46,7 +51,8 @@ CurvePoint<D> evaluate_segment(const ArcSegment<D>& segment, double t) {
   const double rate = sweep_deg * (std::numbers::pi / 180.0);
   const auto [c, s] = cos_sin_deg(t == 1 ? segment.to_deg : segment.from_deg + t * sweep_deg);
   const Vector<D> radial = c * segment.x_axis + s * segment.y_axis;
-  return {segment.center + radial, rate * (c * segment.y_axis - s * segment.x_axis), -rate * rate * radial};
+  const Vector<D> first = rate * (c * segment.y_axis - s * segment.x_axis);
+  return {segment.center + radial, first, -rate * rate * radial, -rate * rate * first};
 }
 
 template <int D>

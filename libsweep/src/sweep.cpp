@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// The general sweep of Akman and Arslan (1992), with rotation-minimizing frames:
+// The general sweep of Akman and Arslan (1992), profiled and twisted:
 //   S(s, t) = c(t) + x(s) X(t) + y(s) Y(t)
 // and its normal from the derivatives, t measured by arc length (rows.cpp says what X and Y are). Away from
-// mitres that is
-//   dS/ds x dS/dt = a (y' N - x' B) + w (x x' + y y') T,   a = 1 - x kN - y kB,
-// kN and kB the curvature, w the rate of a closed trajectory's twist. a < 0 where the contour reaches past
-// the centre of curvature and the surface folds over; the normal keeps to the contour's outside there.
+// mitres, profile and twist that is
+//   dS/ds x dS/dt = a (y' N - x' B),   a = 1 - x kN - y kB,
+// kN and kB the curvature. a < 0 where the contour reaches past the centre of curvature and the surface folds
+// over; the normal keeps to the contour's outside there. At a pole dS/ds is 0 and its direction takes its
+// place.
 
 #include "sweepkit/sweep/sweep.hpp"
 
@@ -17,7 +18,7 @@
 #include "cap_writer.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
-#include "rotation_minimizing_frames.hpp"
+#include "orientation.hpp"
 #include "rows.hpp"
 #include "section.hpp"
 
@@ -28,18 +29,18 @@ glm::dvec3 point_of(const Row& row, const glm::dvec2& p) {
   return row.center + p.x * row.x_axis + p.y * row.y_axis;
 }
 
-glm::dvec3 normal_of(const Row& row, const RowSide& side, double closing_rate, const glm::dvec2& p,
-                     const glm::dvec2& tangent) {
+glm::dvec3 normal_of(const Row& row, const RowSide& side, const glm::dvec2& p, const glm::dvec2& tangent) {
   const Frame& f = side.frame;
-  const glm::dvec3 outward = tangent.y * f.normal - tangent.x * f.binormal;
-  // Without a twist both derivatives lie in planes that `outward` is perpendicular to.
-  if (closing_rate == 0) return outward;
-  const glm::dvec3 across = tangent.x * row.x_axis + tangent.y * row.y_axis;
+  // Where only the trajectory bends, both derivatives lie in planes that this is perpendicular to.
+  if (side.is_plain) return tangent.y * f.normal - tangent.x * f.binormal;
+  const glm::dvec3 across = tangent.x * row.x_direction + tangent.y * row.y_direction;
   const glm::dvec3 ahead = f.tangent + p.x * side.x_rate + p.y * side.y_rate;
+  const glm::dvec3 outward = glm::cross(across, f.tangent);
   const glm::dvec3 normal = glm::cross(across, ahead);
   const double length = glm::length(normal);
-  if (!(length > 1e-12)) return outward;
-  return (glm::dot(normal, outward) < 0 ? -normal : normal) / length;
+  if (length > 1e-12 * glm::length(ahead)) return (glm::dot(normal, outward) < 0 ? -normal : normal) / length;
+  const double width = glm::length(outward);
+  return width > 0 ? outward / width : tangent.y * f.normal - tangent.x * f.binormal;
 }
 
 std::vector<bool> row_breaks(const std::vector<Row>& rows, double crease_deg) {
@@ -47,7 +48,8 @@ std::vector<bool> row_breaks(const std::vector<Row>& rows, double crease_deg) {
   std::vector<bool> breaks;
   breaks.reserve(rows.size());
   for (const Row& row : rows) {
-    breaks.push_back(row.is_corner && glm::dot(row.in.frame.tangent, row.out.frame.tangent) < crease_cos);
+    breaks.push_back(row.is_pole ||
+                     (row.is_corner && glm::dot(row.in.frame.tangent, row.out.frame.tangent) < crease_cos));
   }
   return breaks;
 }
@@ -57,10 +59,12 @@ struct Wall {
   Section section;
   std::vector<Row> rows;
   std::vector<bool> breaks;  // of the normal, a row
+  std::vector<bool> poles;
   std::vector<double> v_fractions;
   std::vector<Run> column_runs;
   std::vector<Run> row_runs;
-  double closing_rate = 0;
+  // A closed trajectory's last row is its first one's vertices, so many columns on.
+  std::size_t closing_columns = 0;
   glm::dvec2 repeat{1.0};
 };
 
@@ -70,8 +74,9 @@ glm::dvec3 middle_of(const Wall& wall) {
   glm::dvec3 low = wall.rows.front().center;
   glm::dvec3 high = low;
   for (const Row& row : wall.rows) {
-    low = glm::min(low, row.center - reach);
-    high = glm::max(high, row.center + reach);
+    const double size = reach * std::max(glm::length(row.x_axis), glm::length(row.y_axis));
+    low = glm::min(low, row.center - size);
+    high = glm::max(high, row.center + size);
   }
   return choose_origin(low, high);
 }
@@ -80,29 +85,24 @@ void write_wall(Mesh& mesh, const Wall& wall) {
   const std::span<glm::vec3> positions = mesh.positions();
   const std::span<glm::vec3> normals = mesh.normals();
   const std::span<glm::vec2> texcoords = mesh.texcoords();
-  std::size_t vertex = mesh.patches.front().first_vertex;
-  for (const Run& row_run : wall.row_runs) {
-    for (const Run& column_run : wall.column_runs) {
-      for (std::size_t j = row_run.first; j <= row_run.last; ++j) {
+  const std::size_t columns = wall.section.points.size() - 1;
+  for_each_wall_vertex(
+      0, wall.column_runs, wall.row_runs, wall.poles,
+      [&](std::size_t vertex, std::size_t i, std::size_t j, const Run& column_run, const Run& row_run) {
         const Row& row = wall.rows[j];
+        const bool is_home = j + 1 == wall.rows.size() && wall.closing_columns > 0;
+        const SectionPoint& point = wall.section.points[is_home ? (i + wall.closing_columns) % columns : i];
+        const glm::dvec2& tangent = i == column_run.first ? point.tangent_out : point.tangent_in;
         // A corner that breaks shows the side this run lies on; one that does not shows the middle of both.
-        const bool is_middle = row.is_corner && !wall.breaks[j];
         const RowSide& side = j == row_run.first && wall.breaks[j] ? row.out : row.in;
-        const auto v = static_cast<float>(wall.v_fractions[j] * wall.repeat.y);
-        for (std::size_t i = column_run.first; i <= column_run.last; ++i, ++vertex) {
-          const SectionPoint& point = wall.section.points[i];
-          const glm::dvec2& tangent = i == column_run.first ? point.tangent_out : point.tangent_in;
-          glm::dvec3 normal = normal_of(row, side, wall.closing_rate, point.position, tangent);
-          if (is_middle)
-            normal =
-                glm::normalize(normal + normal_of(row, row.out, wall.closing_rate, point.position, tangent));
-          positions[vertex] = glm::vec3(point_of(row, point.position) - mesh.origin);
-          normals[vertex] = glm::vec3(normal);
-          texcoords[vertex] = {static_cast<float>(wall.section.fractions[i] * wall.repeat.x), v};
-        }
-      }
-    }
-  }
+        glm::dvec3 normal = normal_of(row, side, point.position, tangent);
+        if (row.is_corner && !wall.breaks[j])
+          normal = glm::normalize(normal + normal_of(row, row.out, point.position, tangent));
+        positions[vertex] = glm::vec3(point_of(row, point.position) - mesh.origin);
+        normals[vertex] = glm::vec3(normal);
+        texcoords[vertex] = {static_cast<float>(wall.section.fractions[i] * wall.repeat.x),
+                             static_cast<float>(wall.v_fractions[j] * wall.repeat.y)};
+      });
 }
 
 }  // namespace
@@ -114,28 +114,40 @@ Mesh sweep(const Curve2& contour, const Curve3& trajectory, const SweepOptions& 
   Section section = make_section(contour, options.tessellation.contour, options.crease_deg, options.uv.by);
   const std::vector<Station> stations = place_stations(trajectory, options.tessellation.trajectory);
   if (trajectory.is_closed()) check_loop(stations.size() - 1, "trajectory");
-  const FramesAlong along = rotation_minimizing_frames(trajectory, stations);
-  std::vector<Row> rows = make_rows(trajectory, stations, along);
+  const int symmetry = trajectory.is_closed() ? symmetry_of(section) : 1;
+  const Oriented oriented = orient(trajectory, stations, options.orientation, options.twist_deg, symmetry);
+  std::vector<Row> rows = make_rows(trajectory, stations, oriented.frames, options.profile);
   std::vector<bool> breaks = row_breaks(rows, options.crease_deg);
+  std::vector<bool> poles;
+  for (const Row& row : rows) poles.push_back(row.is_pole);
   std::vector<Run> column_runs = split_runs(section.breaks);
   std::vector<Run> row_runs = split_runs(breaks);
-  const Wall wall{std::move(section),     std::move(rows),
-                  std::move(breaks),      texture_fractions(stations, options.uv.by),
-                  std::move(column_runs), std::move(row_runs),
-                  along.closing_rate,     options.uv.repeat};
+  const auto columns = static_cast<int>(section.points.size()) - 1;
+  const int steps = (oriented.closing_steps % symmetry + symmetry) % symmetry;
+  const Wall wall{std::move(section),
+                  std::move(rows),
+                  std::move(breaks),
+                  std::move(poles),
+                  texture_fractions(stations, options.uv.by),
+                  std::move(column_runs),
+                  std::move(row_runs),
+                  static_cast<std::size_t>(columns / symmetry * steps),
+                  options.uv.repeat};
 
   Mesh mesh;
   mesh.origin = middle_of(wall);
   const glm::dvec2 period(wall.section.is_closed ? options.uv.repeat.x : 0,
                           trajectory.is_closed() ? options.uv.repeat.y : 0);
-  lay_out_wall(mesh, wall.column_runs, wall.row_runs, std::vector<bool>(wall.rows.size(), false), period);
+  lay_out_wall(mesh, wall.column_runs, wall.row_runs, wall.poles, period);
   write_wall(mesh, wall);
   if (options.caps == Caps::kFlat && wall.section.is_closed && !trajectory.is_closed()) {
     // Seen from outside the first cap shows the contour mirrored.
     const Row& first = wall.rows.front();
     const Row& last = wall.rows.back();
-    add_cap(mesh, wall.section, {first.center, first.x_axis, first.y_axis, -first.out.frame.tangent}, true);
-    add_cap(mesh, wall.section, {last.center, last.x_axis, last.y_axis, last.in.frame.tangent}, false);
+    if (!first.is_pole)
+      add_cap(mesh, wall.section, {first.center, first.x_axis, first.y_axis, -first.out.frame.tangent}, true);
+    if (!last.is_pole)
+      add_cap(mesh, wall.section, {last.center, last.x_axis, last.y_axis, last.in.frame.tangent}, false);
   }
   if (options.has_half_edges) write_half_edges(mesh);
   return mesh;

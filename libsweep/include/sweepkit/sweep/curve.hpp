@@ -13,12 +13,13 @@ namespace sweepkit::sweep {
 template <int D>
 using Vector = glm::vec<D, double>;
 
-/// A point of a curve and its first two derivatives by the segment's own parameter t in [0, 1].
+/// A point of a curve and its first three derivatives by the segment's own parameter t in [0, 1].
 template <int D>
 struct CurvePoint {
   Vector<D> position;
   Vector<D> first;
   Vector<D> second;
+  Vector<D> third;
 };
 
 /// Bezier segment of any degree from 1: control.size() == degree + 1. Degree 1 is a straight line.

@@ -3,6 +3,10 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
+
+#include "sweepkit/sweep/curve.hpp"
+#include "sweepkit/sweep/law.hpp"
 
 namespace sweepkit::sweep {
 
@@ -24,12 +28,36 @@ struct UvOptions {
   glm::dvec2 repeat{1.0, 1.0};  ///< u runs from 0 to repeat.x, v from 0 to repeat.y
 };
 
+/// How the section stands about the trajectory where no guide says it.
+enum class Frames {
+  kRotationMinimizing,  ///< turned about the trajectory as little as can be
+  kFrenet,              ///< x towards the centre of curvature; through an inflection without a flip
+  kFixedUp,             ///< y as far up as can be: no banking
+};
+
+/// Where the section's axes point along a trajectory.
+struct Orientation {
+  Frames frames = Frames::kRotationMinimizing;
+  glm::dvec3 up{0, 1, 0};  ///< y at the start, made perpendicular to the trajectory
+  std::optional<Curve3>
+      guide;  ///< x points at it, both at the same share of their lengths; overrides `frames`
+};
+
+/// The contour's size along the trajectory, a factor of at least 0 for each axis.
+struct Profile {
+  Law x = 1;
+  Law y = 1;
+};
+
 struct SweepOptions {
   Tessellation tessellation;
   UvOptions uv;
   double crease_deg = 30;      ///< normals break where the surface bends by more at a corner
   Caps caps = Caps::kFlat;     ///< flat where the contour is closed and the trajectory is open
   bool has_half_edges = true;  ///< write OpenMesh's connectivity
+  Profile profile;
+  Law twist_deg = 0;  ///< the section's turn about the trajectory, right-handed
+  Orientation orientation;
 };
 
 struct RevolveOptions {
