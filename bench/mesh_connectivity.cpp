@@ -14,6 +14,7 @@
 
 #include "half_edges.hpp"
 #include "harness.hpp"
+#include "sweepkit/sweep/primitives.hpp"
 #include "sweepkit/sweep/sweep.hpp"
 
 namespace {

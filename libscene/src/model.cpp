@@ -17,7 +17,8 @@ namespace {
 sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
   if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
     return sweep::sweep(shape->contour, shape->trajectory,
-                        {piece.tessellation, piece.uv, piece.crease_deg, shape->caps, has_half_edges});
+                        {piece.tessellation, piece.uv, piece.crease_deg, shape->caps, has_half_edges,
+                         shape->profile, shape->twist_deg, shape->orientation});
   }
   if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
     return sweep::revolve(shape->contour, {piece.tessellation, piece.uv, shape->angle_deg, piece.crease_deg,

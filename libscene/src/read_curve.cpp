@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "read_curve.hpp"
 
+#include "message_text.hpp"
+#include "sweepkit/sweep/primitives.hpp"
+
 namespace sweepkit::scene {
 namespace {
 
@@ -12,12 +15,50 @@ std::vector<sweep::Vector<D>> read_points(const Node& node) {
   return points;
 }
 
+constexpr Range kAngle{.low = -1e9, .high = 1e9, .unit = " degrees"};
+
+// A plane primitive; nothing if `kind` is none. As a trajectory it lies in the x,z plane.
+std::optional<sweep::Curve2> read_plane_primitive(const std::string& kind, ObjectReader& reader) {
+  const auto size = [&](const char* key) { return reader.get(key).number(kExtent); };
+  const auto angle = [&](const char* key) { return reader.get(key).number(kAngle); };
+  if (kind == "circle") return sweep::circle_contour(size("radius"));
+  if (kind == "ellipse") return sweep::ellipse_contour(size("rx"), size("ry"));
+  if (kind == "rectangle") {
+    const std::optional<Node> corner = reader.find("corner_radius");
+    return sweep::rectangle_contour(size("width"), size("height"), corner ? corner->number() : 0);
+  }
+  if (kind == "polygon") {
+    return sweep::polygon_contour(reader.get("sides").integer(3, 4096), size("radius"));
+  }
+  if (kind == "star") {
+    return sweep::star_contour(reader.get("points").integer(2, 2048), size("radius"), size("inner_radius"));
+  }
+  if (kind == "arc") return sweep::arc_contour(size("radius"), angle("from_deg"), angle("to_deg"));
+  return std::nullopt;
+}
+
+sweep::Curve3 read_space_primitive(const std::string& kind, ObjectReader& reader) {
+  const auto size = [&](const char* key) { return reader.get(key).number(kExtent); };
+  if (kind == "helix") {
+    return sweep::helix(size("radius"), reader.get("pitch").number(kCoordinate),
+                        reader.get("turns").number({.low = 1e-9, .high = 1e6}));
+  }
+  return sweep::torus_knot(reader.get("p").integer(1, 1000), reader.get("q").integer(1, 1000), size("radius"),
+                           size("tube"));
+}
+
 template <int D>
-sweep::Curve<D> circle(double radius) {
+sweep::Curve<D> read_primitive(const std::string& kind, const Node& node) {
+  ObjectReader reader(node);
   if constexpr (D == 2) {
-    return sweep::circle_contour(radius);
+    const sweep::Curve2 curve = *read_plane_primitive(kind, reader);
+    reader.finish();
+    return curve;
   } else {
-    return sweep::circle_trajectory(radius);
+    const std::optional<sweep::Curve2> plane = read_plane_primitive(kind, reader);
+    const sweep::Curve3 curve = plane ? sweep::laid_flat(*plane) : read_space_primitive(kind, reader);
+    reader.finish();
+    return curve;
   }
 }
 
@@ -41,15 +82,21 @@ sweep::Curve<D> read_kind(const std::string& kind, const Node& node, bool is_clo
     if (ends.size() != 2) node.fail("a line needs 2 points, got " + std::to_string(ends.size()));
     return sweep::polyline<D>(ends, false);
   }
-  ObjectReader reader(node);
-  const double radius = reader.get("radius").number(kExtent);
-  reader.finish();
-  return circle<D>(radius);
+  return read_primitive<D>(kind, node);
+}
+
+// The kinds of curve there are; helix and torus knot are no plane ones.
+template <int D>
+std::vector<std::string> kinds() {
+  std::vector<std::string> kinds = {"bezier",  "beziers",   "free",    "polyline", "line", "circle",
+                                    "ellipse", "rectangle", "polygon", "star",     "arc"};
+  if (D == 3) kinds.insert(kinds.end(), {"helix", "torus_knot"});
+  return kinds;
 }
 
 template <int D>
 sweep::Curve<D> read_curve(const Node& node) {
-  static const std::vector<std::string> kKinds = {"bezier", "beziers", "free", "polyline", "line", "circle"};
+  static const std::vector<std::string> kKinds = kinds<D>();
   ObjectReader reader(node);
   std::optional<Node> chosen;
   std::string kind;
@@ -68,8 +115,11 @@ sweep::Curve<D> read_curve(const Node& node) {
     if (const std::optional<Node> closed = reader.find("closed")) is_closed = closed->boolean();
   }
   reader.finish();
-  if (!chosen)
-    node.fail("needs one of \"bezier\", \"beziers\", \"free\", \"polyline\", \"line\" or \"circle\"");
+  if (!chosen) {
+    std::string names;
+    for (const std::string& name : kKinds) names += (names.empty() ? "" : ", ") + in_quotes(name);
+    node.fail("needs one of " + names);
+  }
   try {
     return read_kind<D>(kind, *chosen, is_closed);
   } catch (const InputError& error) {

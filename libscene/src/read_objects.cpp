@@ -7,6 +7,7 @@
 
 #include "message_text.hpp"
 #include "read_curve.hpp"
+#include "read_law.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -67,13 +68,40 @@ sweep::Caps read_caps(ObjectReader& reader) {
   return node && node->choice({"flat", "none"}) == 1 ? sweep::Caps::kNone : sweep::Caps::kFlat;
 }
 
+sweep::Orientation read_orientation(ObjectReader& reader) {
+  sweep::Orientation orientation;
+  const std::optional<Node> frames = reader.find("frames");
+  const std::optional<Node> guide = reader.find("guide");
+  const std::optional<Node> up = reader.find("up");
+  if (frames && guide) guide->fail("says where the section points, and so does \"frames\"; leave one out");
+  if (frames) {
+    constexpr sweep::Frames kKinds[] = {sweep::Frames::kRotationMinimizing, sweep::Frames::kFrenet,
+                                        sweep::Frames::kFixedUp};
+    orientation.frames = kKinds[frames->choice({"rotation-minimizing", "frenet", "fixed-up"})];
+  }
+  if (guide) orientation.guide = read_trajectory(*guide);
+  if (up) {
+    orientation.up = up->vector<3>(kCoordinate);
+    if (!(glm::length(orientation.up) > 0)) up->fail("needs a direction, got [0, 0, 0]");
+  }
+  return orientation;
+}
+
 SweepShape read_sweep(const Node& node) {
   ObjectReader reader(node);
   const Node contour = reader.get("contour");
   const Node trajectory = reader.get("trajectory");
+  const std::optional<Node> profile = reader.find("profile");
+  const std::optional<Node> twist = reader.find("twist_deg");
+  const sweep::Orientation orientation = read_orientation(reader);
   const sweep::Caps caps = read_caps(reader);
   reader.finish();
-  return {read_contour(contour), read_trajectory(trajectory), caps};
+  return {read_contour(contour),
+          read_trajectory(trajectory),
+          profile ? read_profile(*profile) : sweep::Profile{},
+          twist ? read_twist(*twist) : sweep::Law(0),
+          orientation,
+          caps};
 }
 
 RevolveShape read_revolve(const Node& node) {

@@ -35,29 +35,30 @@ bool is_finite(const Vector<D>& point) {
 }
 
 template <int D>
-void check_finite(const Segment<D>& segment) {
-  const bool is_sound = std::visit(
-      [](const auto& kind) {
-        if constexpr (requires { kind.control; }) {
-          return std::all_of(kind.control.begin(), kind.control.end(),
-                             [](const Vector<D>& p) { return is_finite<D>(p); });
-        } else {
-          return is_finite<D>(kind.center) && is_finite<D>(kind.x_axis) && is_finite<D>(kind.y_axis) &&
-                 std::isfinite(kind.from_deg) && std::isfinite(kind.to_deg);
-        }
-      },
-      segment);
-  if (!is_sound) throw InputError("needs finite coordinates, got NaN or infinity");
+bool is_sound(const BezierSegment<D>& bezier) {
+  return std::all_of(bezier.control.begin(), bezier.control.end(), is_finite<D>);
+}
+template <int D>
+bool is_sound(const ArcSegment<D>& arc) {
+  return is_finite<D>(arc.center) && is_finite<D>(arc.x_axis) && is_finite<D>(arc.y_axis) &&
+         is_finite<D>(arc.rise) && std::isfinite(arc.from_deg) && std::isfinite(arc.to_deg);
+}
+bool is_sound(const TorusKnotSegment& knot) {
+  return std::isfinite(knot.radius) && std::isfinite(knot.tube);
 }
 
 template <int D>
-bool has_no_extent(const Segment<D>& segment) {
-  if (const auto* bezier = std::get_if<BezierSegment<D>>(&segment)) {
-    return std::all_of(bezier->control.begin(), bezier->control.end(),
-                       [&](const Vector<D>& p) { return p == bezier->control.front(); });
-  }
-  const auto& arc = std::get<ArcSegment<D>>(segment);
-  return arc.from_deg == arc.to_deg || (arc.x_axis == Vector<D>{0.0} && arc.y_axis == Vector<D>{0.0});
+bool is_point(const BezierSegment<D>& bezier) {
+  return std::all_of(bezier.control.begin(), bezier.control.end(),
+                     [&](const Vector<D>& p) { return p == bezier.control.front(); });
+}
+template <int D>
+bool is_point(const ArcSegment<D>& arc) {
+  const Vector<D> none(0.0);
+  return arc.rise == none && (arc.from_deg == arc.to_deg || (arc.x_axis == none && arc.y_axis == none));
+}
+bool is_point(const TorusKnotSegment& knot) {
+  return knot.radius == 0 && knot.tube == 0;
 }
 
 template <int D>
@@ -74,8 +75,14 @@ double length_between(const Segment<D>& segment, double from, double to) {
 
 template <int D>
 Curve<D>::Curve(std::vector<Segment<D>> segments) : segments_(std::move(segments)) {
-  for (const Segment<D>& segment : segments_) check_finite<D>(segment);
-  std::erase_if(segments_, has_no_extent<D>);
+  for (const Segment<D>& segment : segments_) {
+    if (!std::visit([](const auto& kind) { return is_sound(kind); }, segment)) {
+      throw InputError("needs finite coordinates, got NaN or infinity");
+    }
+  }
+  std::erase_if(segments_, [](const Segment<D>& segment) {
+    return std::visit([](const auto& kind) { return is_point(kind); }, segment);
+  });
   if (segments_.empty()) throw InputError("has no length: all its points are the same; give two that differ");
 
   double size = 0;

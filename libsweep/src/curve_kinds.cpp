@@ -23,12 +23,6 @@ void check_count(std::size_t count, std::size_t least, const char* what) {
   }
 }
 
-void check_radius(double radius) {
-  if (!(radius > 0) || !std::isfinite(radius)) {
-    throw InputError("radius needs to be above 0 m, got " + number_text(radius));
-  }
-}
-
 template <int D>
 std::vector<Vector<D>> without_repeats(const std::vector<Vector<D>>& points, bool is_closed) {
   std::vector<Vector<D>> kept;
@@ -116,16 +110,6 @@ Curve<D> free_curve(const std::vector<Vector<D>>& points, bool is_closed) {
     segments.push_back(BezierSegment<D>{{a, a + third * slope(i), b - third * slope((i + 1) % count), b}});
   }
   return Curve<D>(std::move(segments));
-}
-
-Curve2 circle_contour(double radius) {
-  check_radius(radius);
-  return Curve2({ArcSegment<2>{{0, 0}, {radius, 0}, {0, radius}, 0, 360}});
-}
-
-Curve3 circle_trajectory(double radius) {
-  check_radius(radius);
-  return Curve3({ArcSegment<3>{{0, 0, 0}, {radius, 0, 0}, {0, 0, -radius}, 0, 360}});
 }
 
 template Curve<2> bezier_curve<2>(const std::vector<Vector<2>>&);

@@ -51,8 +51,33 @@ CurvePoint<D> evaluate_segment(const ArcSegment<D>& segment, double t) {
   const double rate = sweep_deg * (std::numbers::pi / 180.0);
   const auto [c, s] = cos_sin_deg(t == 1 ? segment.to_deg : segment.from_deg + t * sweep_deg);
   const Vector<D> radial = c * segment.x_axis + s * segment.y_axis;
-  const Vector<D> first = rate * (c * segment.y_axis - s * segment.x_axis);
-  return {segment.center + radial, first, -rate * rate * radial, -rate * rate * first};
+  const Vector<D> around = rate * (c * segment.y_axis - s * segment.x_axis);
+  return {segment.center + radial + t * segment.rise, around + segment.rise, -rate * rate * radial,
+          -rate * rate * around};
+}
+
+template <int D>
+CurvePoint<D> evaluate_segment(const TorusKnotSegment& knot, double t) {
+  // w is the distance from the axis, its derivatives by s after it; (c, s) the angle about the axis.
+  const double p = knot.p;
+  const double q = knot.q;
+  const auto [c, s] = cos_sin_deg(360 * p * t);
+  const auto [c_tube, s_tube] = cos_sin_deg(360 * q * t);
+  const double r = knot.tube;
+  const double w = knot.radius + r * c_tube;
+  const double w1 = -q * r * s_tube;
+  const double w2 = -q * q * r * c_tube;
+  const double w3 = q * q * q * r * s_tube;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  return {
+      {w * c, r * s_tube, -w * s},
+      kTurn * Vector<D>(w1 * c - p * w * s, q * r * c_tube, -(w1 * s + p * w * c)),
+      kTurn * kTurn *
+          Vector<D>(w2 * c - 2 * p * w1 * s - p * p * w * c, -q * q * r * s_tube,
+                    -(w2 * s + 2 * p * w1 * c - p * p * w * s)),
+      kTurn * kTurn * kTurn *
+          Vector<D>(w3 * c - 3 * p * w2 * s - 3 * p * p * w1 * c + p * p * p * w * s, -q * q * q * r * c_tube,
+                    -(w3 * s + 3 * p * w2 * c - 3 * p * p * w1 * s - p * p * p * w * c))};
 }
 
 template <int D>

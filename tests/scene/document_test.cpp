@@ -141,6 +141,27 @@ TEST(Document, DefaultsAreTheFormats) {
   EXPECT_TRUE(document.lights.empty());
 }
 
+TEST(Document, LawsAndOrientationAreRead) {
+  const Document document = parse(scene_text("", R"({"name": "a", "sweep": {
+      "contour": {"star": {"points": 5, "radius": 1, "inner_radius": 0.5}}, "trajectory": {"helix": {"radius": 2, "pitch": 1, "turns": 3}},
+      "profile": {"x": {"points": [[0, 1], [1, 2]]}, "y": 3}, "twist_deg": 90, "frames": "fixed-up", "up": [0, 0, 1]}},
+    {"name": "b", "sweep": {"contour": {"rectangle": {"width": 1, "height": 2}}, "trajectory": {"ellipse": {"rx": 3, "ry": 2}},
+      "profile": {"bezier": [[0, 1], [0.5, 3], [1, 1]]}, "twist_deg": {"points": [[0, 0], [0.5, 45], [1, 0]]},
+      "guide": {"torus_knot": {"p": 2, "q": 3, "radius": 2, "tube": 1}}}})"));
+  const auto& first = std::get<SweepShape>(document.objects[0].pieces[0].shape);
+  EXPECT_EQ(first.contour.segments().size(), 10u);
+  EXPECT_EQ(first.profile.x.at(0.5).value, 1.5);
+  EXPECT_EQ(first.profile.y.at(0.5).value, 3);
+  EXPECT_EQ(first.twist_deg.at(0.5).value, 45) << "a number is the total turn";
+  EXPECT_EQ(first.orientation.frames, sweep::Frames::kFixedUp);
+  EXPECT_EQ(first.orientation.up, glm::dvec3(0, 0, 1));
+  const auto& second = std::get<SweepShape>(document.objects[1].pieces[0].shape);
+  EXPECT_EQ(second.profile.x.at(0.5).value, 2);
+  EXPECT_EQ(second.profile.y.at(0.5).value, 2);
+  EXPECT_EQ(second.twist_deg.at(0.5).value, 45) << "a law is the angle at t";
+  EXPECT_TRUE(second.orientation.guide->is_closed());
+}
+
 TEST(Document, CellsThatAreLeftOutAreTheShapesOwn) {
   const Document document =
       parse(scene_text("", R"({"name": "a", "plane": {"size": [1, 1]}, "tessellation": {"contour": 3}},

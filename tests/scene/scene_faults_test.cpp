@@ -117,13 +117,11 @@ TEST(SceneFaults, KeysThatComeLaterAreNotTakenSilently) {
        {std::string("\"plane\": {\"size\": [1, 1]}, \"instances\": []"),
         std::string("\"mesh\": {\"file\": \"x\"}"),
         std::string("\"plane\": {\"size\": [1, 1]}, \"tessellation\": {\"tolerance\": 1}"),
-        "\"sweep\": {" + straight + ", \"twist_deg\": 90}", "\"sweep\": {" + straight + ", \"profile\": 1}",
-        "\"sweep\": {" + straight + ", \"guide\": {}}",
+        "\"sweep\": {" + straight + ", \"morph\": []}",
         "\"sweep\": {" + straight + ", \"joints\": \"round\"}"}) {
     EXPECT_NE(fault_of(with_object(line)).find("unknown key"), std::string::npos) << line;
   }
-  EXPECT_NE(fault_of(with_contour("{\"ellipse\": {\"rx\": 1, \"ry\": 2}}")).find("unknown key"),
-            std::string::npos);
+  EXPECT_NE(fault_of(with_contour("{\"svg\": \"a.svg\"}")).find("unknown key"), std::string::npos);
 }
 
 TEST(SceneFaults, Camera) {
@@ -304,9 +302,22 @@ TEST(SceneFaults, Curves) {
       {with_contour("{\"circle\": {\"radius\": 0}}"),
        "s.json:4:25: " + contour + "/circle/radius: needs to be at least 1e-09 and at most 1e+09 m, got 0"},
       {with_contour("{\"circle\": {}}"), "s.json:4:14: " + contour + "/circle: needs \"radius\""},
-      {with_contour("{}"),
-       "s.json:4:3: " + contour +
-           ": needs one of \"bezier\", \"beziers\", \"free\", \"polyline\", \"line\" or \"circle\""},
+      {with_contour("{}"), "s.json:4:3: " + contour +
+                               ": needs one of \"bezier\", \"beziers\", \"free\", \"polyline\", \"line\", "
+                               "\"circle\", \"ellipse\", "
+                               "\"rectangle\", \"polygon\", \"star\", \"arc\""},
+      {with_contour("{\"helix\": {\"radius\": 1}}"),
+       "s.json:4:4: " + contour +
+           "/helix: unknown key \"helix\"; there is \"bezier\", \"beziers\", \"free\", "
+           "\"polyline\", \"line\", \"circle\", \"ellipse\", \"rectangle\", \"polygon\", \"star\", \"arc\""},
+      {with_contour("{\"rectangle\": {\"width\": 2, \"height\": 1, \"corner_radius\": 0.6}}"),
+       "s.json:4:17: " + contour +
+           "/rectangle: corner_radius needs to be 0 m to half of the shorter side, 0.5 m, got 0.6"},
+      {with_contour("{\"polygon\": {\"sides\": 2, \"radius\": 1}}"),
+       "s.json:4:25: " + contour + "/polygon/sides: needs to be at least 3 and at most 4096, got 2"},
+      {with_contour("{\"arc\": {\"radius\": 1, \"from_deg\": 0, \"to_deg\": 400}}"),
+       "s.json:4:11: " + contour +
+           "/arc: arc needs angles that differ by at most 360 degrees, and not by 0, got 0 and 400"},
       {with_contour("{\"line\": [[0, 0], [1, 1]], \"circle\": {\"radius\": 1}}"),
        "s.json:4:40: " + contour +
            "/circle: a curve is of one kind, but there is \"line\" and \"circle\"; leave one out"},
@@ -317,6 +328,42 @@ TEST(SceneFaults, Curves) {
        "0"},
       {with_object("\"revolve\": {\"contour\": {\"line\": [[1, 0], [1, 1]]}, \"caps\": \"round\"}"),
        "s.json:3:62: /objects/0/revolve/caps: needs \"flat\" or \"none\", got \"round\""},
+  });
+}
+
+TEST(SceneFaults, LawsAndOrientation) {
+  const auto with_sweep = [](const std::string& keys) {
+    return with_object(
+        "\"sweep\": {\"contour\": {\"circle\": {\"radius\": 1}}, "
+        "\"trajectory\": {\"line\": [[0, 0, 0], [0, 1, 0]]},\n" +
+        keys + "}");
+  };
+  const std::string at = "s.json:4:";
+  const std::string shape = "/objects/0/sweep";
+  expect_messages({
+      {with_sweep("\"profile\": -1"),
+       at + "12: " + shape + "/profile: needs to be at least 0 and at most 1e+09, got -1"},
+      {with_sweep("\"profile\": {}"),
+       at + "12: " + shape + "/profile: needs a number, \"points\" or \"bezier\", one of them"},
+      {with_sweep("\"profile\": {\"points\": [[0, 1]], \"bezier\": [[0, 1], [1, 1]]}"),
+       at + "12: " + shape + "/profile: needs a number, \"points\" or \"bezier\", one of them"},
+      {with_sweep("\"profile\": {\"points\": [[0, 1], [0.5]]}"),
+       at + "32: " + shape + "/profile/points/1: needs 2 numbers, t and the value there, got 1"},
+      {with_sweep("\"profile\": {\"points\": [[0.5, 1], [0.5, 2]]}"),
+       at + "23: " + shape +
+           "/profile/points: point 1 needs t above the point's before it, got 0.5 after 0.5"},
+      {with_sweep("\"profile\": {\"x\": {\"points\": [[2, 1]]}}"),
+       at + "31: " + shape + "/profile/x/points/0/0: needs to be at least 0 and at most 1, got 2"},
+      {with_sweep("\"profile\": {\"x\": 1, \"z\": 1}"),
+       at + "21: " + shape + "/profile/z: unknown key \"z\"; there is \"x\", \"y\""},
+      {with_sweep("\"twist_deg\": \"half\""),
+       at + "14: " + shape + "/twist_deg: needs a number or an object with \"points\" or \"bezier\""},
+      {with_sweep("\"frames\": \"bishop\""),
+       at + "11: " + shape +
+           "/frames: needs \"rotation-minimizing\", \"frenet\" or \"fixed-up\", got \"bishop\""},
+      {with_sweep("\"up\": [0, 0, 0]"), at + "7: " + shape + "/up: needs a direction, got [0, 0, 0]"},
+      {with_sweep("\"frames\": \"frenet\", \"guide\": {\"line\": [[0, 0, 1], [0, 1, 1]]}"),
+       at + "30: " + shape + "/guide: says where the section points, and so does \"frames\"; leave one out"},
   });
 }
 

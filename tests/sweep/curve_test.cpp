@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "sweepkit/error.hpp"
+#include "sweepkit/sweep/primitives.hpp"
 
 namespace sweepkit::sweep {
 namespace {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "mesh_measures.hpp"
+#include "sweepkit/sweep/primitives.hpp"
 #include "sweepkit/sweep/sweep.hpp"
 
 namespace sweepkit::sweep {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh_measures.hpp"
+#include "sweepkit/sweep/primitives.hpp"
 #include "sweepkit/sweep/sweep.hpp"
 
 namespace sweepkit::sweep {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "sweepkit/error.hpp"
+#include "sweepkit/sweep/primitives.hpp"
 
 namespace sweepkit::sweep {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "mesh_measures.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/sweep/primitives.hpp"
 #include "sweepkit/sweep/sweep.hpp"
 
 namespace sweepkit::sweep {

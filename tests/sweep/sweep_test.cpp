@@ -10,6 +10,7 @@
 
 #include "mesh_measures.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/sweep/primitives.hpp"
 
 namespace sweepkit::sweep {
 namespace {

@@ -34,6 +34,9 @@ glm::dmat4 to_matrix(const Placement& placement);
 struct SweepShape {
   sweep::Curve2 contour;
   sweep::Curve3 trajectory;
+  sweep::Profile profile;
+  sweep::Law twist_deg = 0;
+  sweep::Orientation orientation;
   sweep::Caps caps = sweep::Caps::kFlat;
 };
 

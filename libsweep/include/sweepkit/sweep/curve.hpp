@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <span>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct BezierSegment {
   std::vector<Vector<D>> control;
 };
 
-/// center + cos(a) x_axis + sin(a) y_axis, a from `from_deg` to `to_deg`. Whole quarter turns are exact.
+/// center + cos(a) x_axis + sin(a) y_axis + t rise, a from `from_deg` to `to_deg`: an arc of a circle or an
+/// ellipse, or a helix. Whole quarter turns are exact.
 template <int D>
 struct ArcSegment {
   Vector<D> center;
@@ -36,10 +38,20 @@ struct ArcSegment {
   Vector<D> y_axis;
   double from_deg;
   double to_deg;
+  Vector<D> rise{0.0};
+};
+
+/// ((R + r cos qs) cos ps, r sin qs, -(R + r cos qs) sin ps), s from 0 to 2 pi: p times about the axis +Y, q
+/// times through the hole.
+struct TorusKnotSegment {
+  int p, q;
+  double radius;  ///< R, of the torus
+  double tube;    ///< r, of its tube
 };
 
 template <int D>
-using Segment = std::variant<BezierSegment<D>, ArcSegment<D>>;
+using Segment = std::conditional_t<D == 3, std::variant<BezierSegment<D>, ArcSegment<D>, TorusKnotSegment>,
+                                   std::variant<BezierSegment<D>, ArcSegment<D>>>;
 
 template <int D>
 CurvePoint<D> evaluate(const Segment<D>& segment, double t);
@@ -115,12 +127,5 @@ Curve<D> free_curve(const std::vector<Vector<D>>& points, bool is_closed);
 /// closed).
 template <int D>
 Curve<D> polyline(const std::vector<Vector<D>>& points, bool is_closed);
-
-/// Circle in the x,y plane, from +x counter-clockwise as seen from +z. Throws InputError unless radius is > 0
-/// and finite.
-Curve2 circle_contour(double radius);
-
-/// Circle in the x,z plane, from +x counter-clockwise as seen from +y.
-Curve3 circle_trajectory(double radius);
 
 }  // namespace sweepkit::sweep
