@@ -17,12 +17,24 @@ namespace {
 sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
   if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
     return sweep::sweep(shape->contour, shape->trajectory,
-                        {piece.tessellation, piece.uv, piece.crease_deg, shape->caps, has_half_edges,
-                         shape->profile, shape->twist_deg, shape->orientation});
+                        {.tessellation = piece.tessellation,
+                         .uv = piece.uv,
+                         .crease_deg = piece.crease_deg,
+                         .caps = shape->caps,
+                         .has_half_edges = has_half_edges,
+                         .joints = shape->joints,
+                         .miter_limit = shape->miter_limit,
+                         .profile = shape->profile,
+                         .twist_deg = shape->twist_deg,
+                         .orientation = shape->orientation});
   }
   if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
-    return sweep::revolve(shape->contour, {piece.tessellation, piece.uv, shape->angle_deg, piece.crease_deg,
-                                           shape->caps, has_half_edges});
+    return sweep::revolve(shape->contour, {.tessellation = piece.tessellation,
+                                           .uv = piece.uv,
+                                           .angle_deg = shape->angle_deg,
+                                           .crease_deg = piece.crease_deg,
+                                           .caps = shape->caps,
+                                           .has_half_edges = has_half_edges});
   }
   return sweep::plane(std::get<PlaneShape>(piece.shape).size, {piece.tessellation, piece.uv, has_half_edges});
 }

@@ -51,12 +51,12 @@ template <int D>
 sweep::Curve<D> read_primitive(const std::string& kind, const Node& node) {
   ObjectReader reader(node);
   if constexpr (D == 2) {
-    const sweep::Curve2 curve = *read_plane_primitive(kind, reader);
+    sweep::Curve2 curve = *read_plane_primitive(kind, reader);
     reader.finish();
     return curve;
   } else {
     const std::optional<sweep::Curve2> plane = read_plane_primitive(kind, reader);
-    const sweep::Curve3 curve = plane ? sweep::laid_flat(*plane) : read_space_primitive(kind, reader);
+    sweep::Curve3 curve = plane ? sweep::laid_flat(*plane) : read_space_primitive(kind, reader);
     reader.finish();
     return curve;
   }

@@ -87,6 +87,14 @@ sweep::Orientation read_orientation(ObjectReader& reader) {
   return orientation;
 }
 
+sweep::Joints read_joints(ObjectReader& reader) {
+  const auto node = reader.find("joints");
+  if (!node) return sweep::SweepOptions{}.joints;
+  constexpr sweep::Joints kKinds[] = {sweep::Joints::kMiter, sweep::Joints::kSmooth, sweep::Joints::kRound,
+                                      sweep::Joints::kBevel};
+  return kKinds[node->choice({"miter", "smooth", "round", "bevel"})];
+}
+
 SweepShape read_sweep(const Node& node) {
   ObjectReader reader(node);
   const Node contour = reader.get("contour");
@@ -95,13 +103,18 @@ SweepShape read_sweep(const Node& node) {
   const std::optional<Node> twist = reader.find("twist_deg");
   const sweep::Orientation orientation = read_orientation(reader);
   const sweep::Caps caps = read_caps(reader);
+  const sweep::Joints joints = read_joints(reader);
+  double miter_limit = sweep::SweepOptions{}.miter_limit;
+  if (const auto limit = reader.find("miter_limit")) miter_limit = limit->number({.low = 1, .high = 1000});
   reader.finish();
   return {read_contour(contour),
           read_trajectory(trajectory),
           profile ? read_profile(*profile) : sweep::Profile{},
           twist ? read_twist(*twist) : sweep::Law(0),
           orientation,
-          caps};
+          caps,
+          joints,
+          miter_limit};
 }
 
 RevolveShape read_revolve(const Node& node) {

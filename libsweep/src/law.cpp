@@ -57,6 +57,7 @@ Law::Law(double value) {
 Law Law::through(const std::vector<glm::dvec2>& points) {
   check_points(points, false);
   std::vector<Knot> knots;
+  knots.reserve(points.size());
   for (const glm::dvec2& p : points) knots.push_back({p.x, p.y, 0});
   const std::size_t pieces = knots.size() - 1;
   const auto width = [&](std::size_t i) { return knots[i + 1].t - knots[i].t; };

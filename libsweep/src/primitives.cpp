@@ -81,6 +81,7 @@ Curve2 polygon_contour(int sides, double radius) {
   check_count(sides, 3, 4096, "sides");
   check_size(radius, "radius");
   std::vector<glm::dvec2> corners;
+  corners.reserve(static_cast<std::size_t>(sides));
   for (int i = 0; i < sides; ++i) corners.push_back(on_circle(i, sides, radius));
   return polyline<2>(corners, true);
 }
@@ -90,6 +91,7 @@ Curve2 star_contour(int points, double radius, double inner_radius) {
   check_size(radius, "radius");
   check_size(inner_radius, "inner_radius");
   std::vector<glm::dvec2> corners;
+  corners.reserve(2 * static_cast<std::size_t>(points));
   for (int i = 0; i < 2 * points; ++i)
     corners.push_back(on_circle(i, 2 * points, i % 2 == 0 ? radius : inner_radius));
   return polyline<2>(corners, true);

@@ -21,9 +21,6 @@
 namespace sweepkit::sweep {
 namespace {
 
-// A mitre longer than this many times the section's size is a reversal, not a corner.
-constexpr double kLongestMitre = 1000;
-
 // How far along T the section's N and B slide, and how fast that changes.
 struct Slide {
   glm::dvec2 length{0.0};
@@ -56,12 +53,8 @@ std::vector<glm::dvec3> mitre_planes(const std::vector<Station>& stations,
   std::vector<glm::dvec3> planes(stations.size(), glm::dvec3(0.0));
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (!stations[i].is_corner) continue;
-    const glm::dvec3 bisector = frames[i].in.frame.tangent + frames[i].out.frame.tangent;
-    if (!(glm::length(bisector) * kLongestMitre > 2)) {
-      throw InputError("trajectory turns back on itself at " + number_text(stations[i].length) +
-                       " m along it; a mitre there would be endless: round the corner off");
-    }
-    planes[i] = glm::normalize(bisector);
+    // join_corners() has left no reversal, so the sum has a direction.
+    planes[i] = glm::normalize(frames[i].in.frame.tangent + frames[i].out.frame.tangent);
   }
   return planes;
 }

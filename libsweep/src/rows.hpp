@@ -34,9 +34,9 @@ struct Row {
   bool is_pole = false;  ///< the profile has shrunk the section to a point
 };
 
-/// A row for every station. A closed trajectory's last is its first, to the bit. Throws InputError where the
-/// trajectory turns back on itself, where the profile is below 0, and where that of a closed trajectory does
-/// not end as it began.
+/// A row for every station. A closed trajectory's last is its first, to the bit. Precondition: no corner of
+/// it turns right back (joints.hpp). Throws InputError where the profile is below 0, and where that of a
+/// closed trajectory does not end as it began.
 std::vector<Row> make_rows(const Curve3& trajectory, const std::vector<Station>& stations,
                            const std::vector<StationFrames>& frames, const Profile& profile);
 

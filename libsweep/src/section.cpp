@@ -43,14 +43,19 @@ double crease_cosine(double crease_deg) {
   return cos_sin_deg(crease_deg).cos;
 }
 
+double reach_of(const Section& section) {
+  double reach = 0;
+  for (const SectionPoint& point : section.points) reach = std::max(reach, glm::length(point.position));
+  return reach;
+}
+
 int symmetry_of(const Section& section) {
   if (!section.is_closed) return 1;
   // Vertices this near to each other, as a share of the section's size, are the same: arcs and hand-typed
   // coordinates are less exact than double, and float32 shows no less.
   constexpr double kSame = 1e-7;
   const auto count = static_cast<int>(section.points.size()) - 1;
-  double reach = 0;
-  for (const SectionPoint& point : section.points) reach = std::max(reach, glm::length(point.position));
+  const double reach = reach_of(section);
   const auto is_onto_itself = [&](int turns) {
     const auto [c, s] = cos_sin_turn(1, turns);
     for (int i = 0; i < count; ++i) {

@@ -34,6 +34,9 @@ Section make_section(const Curve2& contour, int cells, double crease_deg, UvBy b
 /// of a k-th of a circle, each moving every vertex on by points / k places. 1 for one without symmetry.
 int symmetry_of(const Section& section);
 
+/// The farthest that a section lies from its origin.
+double reach_of(const Section& section);
+
 /// Two directions whose product is below this bend by more than `crease_deg`. Throws InputError unless 0 <=
 /// crease_deg <= 180.
 double crease_cosine(double crease_deg);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <queue>
 #include <string>
 #include <utility>
@@ -14,18 +15,19 @@
 namespace sweepkit::sweep {
 namespace {
 
-// `cells` shared by length, at least one each: one after the other goes to the piece whose cells are longest
-// at the time (Adams' method of apportionment; ties to the earlier piece). No other share leaves the longest
-// cell shorter, and where cells of one length fit every piece, they are what comes out.
-std::vector<int> share_cells(const std::vector<double>& lengths, int cells) {
-  std::vector<int> share(lengths.size(), 1);
+// `cells` shared by length, at least as many as `least` says each: one after the other goes to the piece
+// whose cells are longest at the time (Adams' method of apportionment; ties to the earlier piece). No other
+// share leaves the longest cell shorter, and where cells of one length fit every piece, they are what comes
+// out.
+std::vector<int> share_cells(const std::vector<double>& lengths, std::vector<int> least, int cells) {
+  std::vector<int> share = std::move(least);
   using Entry = std::pair<double, std::size_t>;  // (length of a cell, piece)
   const auto is_after = [](const Entry& a, const Entry& b) {
     return a.first != b.first ? a.first < b.first : a.second > b.second;
   };
   std::priority_queue<Entry, std::vector<Entry>, decltype(is_after)> longest(is_after);
-  for (std::size_t i = 0; i < lengths.size(); ++i) longest.push({lengths[i], i});
-  for (int spare = cells - static_cast<int>(lengths.size()); spare > 0; --spare) {
+  for (std::size_t i = 0; i < lengths.size(); ++i) longest.push({lengths[i] / share[i], i});
+  for (int spare = cells - std::accumulate(share.begin(), share.end(), 0); spare > 0; --spare) {
     const std::size_t piece = longest.top().second;
     longest.pop();
     ++share[piece];
@@ -37,22 +39,25 @@ std::vector<int> share_cells(const std::vector<double>& lengths, int cells) {
 }  // namespace
 
 template <int D>
-std::vector<Station> place_stations(const Curve<D>& curve, int cells) {
+std::vector<Station> place_stations(const Curve<D>& curve, int cells, std::span<const int> least_cells) {
   const std::span<const double> ends = curve.end_lengths();
   const std::size_t segments = ends.size();
   std::vector<std::size_t> piece_ends;  // one past the last segment of each smooth piece
+  const auto least = [&](std::size_t i) { return least_cells.empty() ? 1 : least_cells[i]; };
   for (std::size_t i = 1; i < segments; ++i) {
-    if (curve.is_corner(i)) piece_ends.push_back(i);
+    if (curve.is_corner(i) || least(i) > 1 || least(i - 1) > 1) piece_ends.push_back(i);
   }
   piece_ends.push_back(segments);
 
   std::vector<double> lengths;
+  std::vector<int> least_of_piece;
   double start = 0;
   for (const std::size_t end : piece_ends) {
     lengths.push_back(ends[end - 1] - start);
+    least_of_piece.push_back(least(end - 1));
     start = ends[end - 1];
   }
-  const std::vector<int> share = share_cells(lengths, cells);
+  const std::vector<int> share = share_cells(lengths, std::move(least_of_piece), cells);
 
   const auto parameter = [&](CurveLocation at) {
     return (static_cast<double>(at.segment) + at.t) / static_cast<double>(segments);
@@ -69,7 +74,7 @@ std::vector<Station> place_stations(const Curve<D>& curve, int cells) {
         station.in = piece > 0           ? CurveLocation{first - 1, 1}
                      : curve.is_closed() ? CurveLocation{segments - 1, 1}
                                          : station.out;
-        station.is_corner = piece > 0 || (curve.is_closed() && curve.is_corner(0));
+        station.is_corner = curve.is_corner(first);
       } else {
         station.in = station.out = curve.locate(station.length);
       }
@@ -128,8 +133,8 @@ void check_texture(const UvOptions& uv) {
   }
 }
 
-template std::vector<Station> place_stations<2>(const Curve<2>&, int);
-template std::vector<Station> place_stations<3>(const Curve<3>&, int);
+template std::vector<Station> place_stations<2>(const Curve<2>&, int, std::span<const int>);
+template std::vector<Station> place_stations<3>(const Curve<3>&, int, std::span<const int>);
 template std::vector<Station> reversed<2>(const Curve<2>&, std::vector<Station>);
 
 }  // namespace sweepkit::sweep

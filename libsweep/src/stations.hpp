@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "sweepkit/sweep/curve.hpp"
@@ -21,9 +22,10 @@ struct Station {
 
 /// Stations at the start, the end, every corner, and in between so that there are `cells` cells: shared among
 /// the smooth pieces by length, at least one each (so a curve with more pieces than cells has one cell a
-/// piece), equally long inside a piece. A closed curve has its start again as its last station.
+/// piece), equally long inside a piece. A closed curve has its start again as its last station. `least_cells`
+/// may ask for more than 1 on a segment, which is a piece of its own then.
 template <int D>
-std::vector<Station> place_stations(const Curve<D>& curve, int cells);
+std::vector<Station> place_stations(const Curve<D>& curve, int cells, std::span<const int> least_cells = {});
 
 /// The stations of the same curve walked the other way.
 template <int D>

@@ -18,9 +18,12 @@
 #include "cap_writer.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
+#include "joints.hpp"
+#include "number_text.hpp"
 #include "orientation.hpp"
 #include "rows.hpp"
 #include "section.hpp"
+#include "sweepkit/error.hpp"
 
 namespace sweepkit::sweep {
 namespace {
@@ -43,8 +46,9 @@ glm::dvec3 normal_of(const Row& row, const RowSide& side, const glm::dvec2& p, c
   return width > 0 ? outward / width : tangent.y * f.normal - tangent.x * f.binormal;
 }
 
-std::vector<bool> row_breaks(const std::vector<Row>& rows, double crease_deg) {
-  const double crease_cos = crease_cosine(crease_deg);
+std::vector<bool> row_breaks(const std::vector<Row>& rows, const SweepOptions& options) {
+  // At 180 degrees nothing breaks.
+  const double crease_cos = crease_cosine(options.joints == Joints::kSmooth ? 180 : options.crease_deg);
   std::vector<bool> breaks;
   breaks.reserve(rows.size());
   for (const Row& row : rows) {
@@ -69,8 +73,7 @@ struct Wall {
 };
 
 glm::dvec3 middle_of(const Wall& wall) {
-  double reach = 0;
-  for (const SectionPoint& point : wall.section.points) reach = std::max(reach, glm::length(point.position));
+  const double reach = reach_of(wall.section);
   glm::dvec3 low = wall.rows.front().center;
   glm::dvec3 high = low;
   for (const Row& row : wall.rows) {
@@ -107,19 +110,29 @@ void write_wall(Mesh& mesh, const Wall& wall) {
 
 }  // namespace
 
-Mesh sweep(const Curve2& contour, const Curve3& trajectory, const SweepOptions& options) {
+Mesh sweep(const Curve2& contour, const Curve3& given_trajectory, const SweepOptions& options) {
   check_cells(options.tessellation.contour, "contour");
   check_cells(options.tessellation.trajectory, "trajectory");
   check_texture(options.uv);
+  if (!(options.miter_limit >= 1)) {
+    throw InputError("miter_limit needs to be 1 or more, got " + number_text(options.miter_limit));
+  }
   Section section = make_section(contour, options.tessellation.contour, options.crease_deg, options.uv.by);
-  const std::vector<Station> stations = place_stations(trajectory, options.tessellation.trajectory);
+  const double reach = reach_of(section);
+  const auto [trajectory, least_cells] =
+      join_corners(given_trajectory, options.joints, options.miter_limit, [&](double length) {
+        const double t = length / given_trajectory.length();
+        return reach * std::max(options.profile.x.at(t).value, options.profile.y.at(t).value);
+      });
+  const std::vector<Station> stations =
+      place_stations(trajectory, options.tessellation.trajectory, least_cells);
   if (trajectory.is_closed()) check_loop(stations.size() - 1, "trajectory");
   const int symmetry = trajectory.is_closed() ? symmetry_of(section) : 1;
   const Oriented oriented = orient(trajectory, stations, options.orientation, options.twist_deg, symmetry);
   std::vector<Row> rows = make_rows(trajectory, stations, oriented.frames, options.profile);
-  std::vector<bool> breaks = row_breaks(rows, options.crease_deg);
-  std::vector<bool> poles;
-  for (const Row& row : rows) poles.push_back(row.is_pole);
+  std::vector<bool> breaks = row_breaks(rows, options);
+  std::vector<bool> poles(rows.size());
+  std::transform(rows.begin(), rows.end(), poles.begin(), [](const Row& row) { return row.is_pole; });
   std::vector<Run> column_runs = split_runs(section.breaks);
   std::vector<Run> row_runs = split_runs(breaks);
   const auto columns = static_cast<int>(section.points.size()) - 1;

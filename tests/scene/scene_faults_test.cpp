@@ -117,8 +117,7 @@ TEST(SceneFaults, KeysThatComeLaterAreNotTakenSilently) {
        {std::string("\"plane\": {\"size\": [1, 1]}, \"instances\": []"),
         std::string("\"mesh\": {\"file\": \"x\"}"),
         std::string("\"plane\": {\"size\": [1, 1]}, \"tessellation\": {\"tolerance\": 1}"),
-        "\"sweep\": {" + straight + ", \"morph\": []}",
-        "\"sweep\": {" + straight + ", \"joints\": \"round\"}"}) {
+        "\"sweep\": {" + straight + ", \"morph\": []}"}) {
     EXPECT_NE(fault_of(with_object(line)).find("unknown key"), std::string::npos) << line;
   }
   EXPECT_NE(fault_of(with_contour("{\"svg\": \"a.svg\"}")).find("unknown key"), std::string::npos);

@@ -318,8 +318,8 @@ TEST(Sweep, SaysWhatItRefusesAndWhatWouldDo) {
   EXPECT_EQ(message(circle, line, {.uv = {.repeat = {1, HUGE_VAL}}}),
             "uv repeat needs two finite numbers, got 1 and inf");
   EXPECT_EQ(message(circle, polyline<3>({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, false), {}),
-            "trajectory turns back on itself at 2 m along it; a mitre there would be endless: round the "
-            "corner off");
+            "trajectory turns back on itself at 2 m along it; no joint bends that sharply: lead it round");
+  EXPECT_EQ(message(circle, line, {.miter_limit = 0.5}), "miter_limit needs to be 1 or more, got 0.5");
   EXPECT_EQ(message(circle, line, {.tessellation = {kMaxCells, kMaxCells}}),
             "has too many triangles for 32-bit indices; ask for fewer cells");
 }

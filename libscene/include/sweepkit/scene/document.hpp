@@ -38,6 +38,8 @@ struct SweepShape {
   sweep::Law twist_deg = 0;
   sweep::Orientation orientation;
   sweep::Caps caps = sweep::Caps::kFlat;
+  sweep::Joints joints = sweep::SweepOptions{}.joints;
+  double miter_limit = sweep::SweepOptions{}.miter_limit;
 };
 
 struct RevolveShape {

@@ -28,6 +28,14 @@ struct UvOptions {
   glm::dvec2 repeat{1.0, 1.0};  ///< u runs from 0 to repeat.x, v from 0 to repeat.y
 };
 
+/// What becomes of a trajectory's corners. The section is kept on both sides, and v goes on by arc length.
+enum class Joints {
+  kMiter,   ///< the sides meet in the plane between them; beyond SweepOptions::miter_limit a bevel
+  kSmooth,  ///< a mitre whose normals do not break
+  kRound,   ///< an arc, its radius twice the section's reach
+  kBevel,   ///< a chord, mitred at both ends
+};
+
 /// How the section stands about the trajectory where no guide says it.
 enum class Frames {
   kRotationMinimizing,  ///< turned about the trajectory as little as can be
@@ -55,6 +63,9 @@ struct SweepOptions {
   double crease_deg = 30;      ///< normals break where the surface bends by more at a corner
   Caps caps = Caps::kFlat;     ///< flat where the contour is closed and the trajectory is open
   bool has_half_edges = true;  ///< write OpenMesh's connectivity
+  Joints joints = Joints::kMiter;
+  double miter_limit =
+      4;  ///< a mitre's length over the section's width, at least 1: 4 mitres down to 29 degrees
   Profile profile;
   Law twist_deg = 0;  ///< the section's turn about the trajectory, right-handed
   Orientation orientation;

@@ -10,10 +10,11 @@
 
 namespace sweepkit::sweep {
 
-/// The contour's x,y plane carried along the trajectory in rotation-minimizing frames (N, B, T): x on N, y on
-/// B. At the start B is +Y made perpendicular to T, or -Z where T is along +-Y. A closed trajectory closes
-/// its frame: the leftover angle is spread by arc length. Corners of the trajectory are mitred, the section
-/// perpendicular to each side kept.
+/// The contour's x,y plane carried along the trajectory in frames (N, B, T), x on N, y on B: sized by the
+/// profile, turned by the twist, pointed by the orientation. At the start B is `up` made perpendicular to T,
+/// or -Z where T is along it. A closed trajectory closes its frame: the leftover angle is spread by arc
+/// length, to the nearest turn that the contour's own symmetry allows. Corners of the trajectory are joined
+/// as options.joints says, the section perpendicular to each side kept.
 ///
 /// Triangles face outwards: the exterior of a closed contour however it is drawn, the right-hand side of an
 /// open one. u follows the contour and v the trajectory, so that textures are not mirrored seen from outside:
@@ -21,8 +22,9 @@ namespace sweepkit::sweep {
 /// have (u,v) of their own, the outline fitted into 0..1, y upwards.
 ///
 /// Throws InputError for cell counts out of range (1 to kMaxCells; a closed curve needs 3), a closed contour
-/// that lies on one line, a mitre at a reversal, crease_deg outside of 0 to 180, a repeat that is not finite,
-/// more triangles than 32-bit half-edges can number (715 million).
+/// that lies on one line, a trajectory that turns right back at a corner, a profile below 0, or one that ends
+/// elsewhere than it began on a closed trajectory, crease_deg outside of 0 to 180, miter_limit below 1, a
+/// repeat that is not finite, more triangles than 32-bit half-edges can number (715 million).
 Mesh sweep(const Curve2& contour, const Curve3& trajectory, const SweepOptions& options = {});
 
 /// The contour (distance from the axis, height) turned about +Y, counter-clockwise seen from +Y. u runs round
