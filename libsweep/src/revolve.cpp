@@ -10,10 +10,11 @@
 #include <cmath>
 #include <string>
 
-#include "cap_writer.hpp"
+#include "flat_cap.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
 #include "number_text.hpp"
+#include "outline_sampler.hpp"
 #include "section.hpp"
 #include "sweepkit/error.hpp"
 #include "whole_angle.hpp"
@@ -24,9 +25,7 @@ namespace {
 // A radius below this share of the contour's size was meant to be 0: it is what rounding leaves of it.
 constexpr double kOnAxis = 1e-12;
 
-void snap_to_axis(Section& section) {
-  double size = 0;
-  for (const SectionPoint& point : section.points) size = std::max(size, std::abs(point.position.x));
+void snap_to_axis(Section& section, double size) {
   for (SectionPoint& point : section.points) {
     if (std::abs(point.position.x) <= kOnAxis * size) point.position.x = 0;
     if (point.position.x < 0) {
@@ -34,7 +33,9 @@ void snap_to_axis(Section& section) {
                        number_text(point.position.y) + " m; keep x, the distance from it, at 0 or above");
     }
   }
-  if (!(size > 0)) {
+  const bool is_on_axis = std::all_of(section.points.begin(), section.points.end(),
+                                      [](const SectionPoint& point) { return point.position.x == 0; });
+  if (is_on_axis) {
     throw InputError("contour has all its " + std::to_string(section.points.size()) +
                      " vertices on the axis; move it away from x = 0 or give it more cells");
   }
@@ -47,75 +48,103 @@ CapPlane half_plane(double angle_deg, bool is_first) {
   return {glm::dvec3(0.0), {c, 0, -s}, {0, 1, 0}, is_first ? -ahead : ahead};
 }
 
+// The columns of the turn.
+struct Turn {
+  std::vector<CosSin> at;
+  std::vector<float> u;
+  bool is_whole;
+};
+
+Turn make_turn(const RevolveOptions& options) {
+  const int columns = options.tessellation.trajectory;
+  Turn turn{{}, {}, options.angle_deg == 360};
+  for (int i = 0; i <= columns; ++i) {
+    turn.at.push_back(turn.is_whole  ? cos_sin_turn(i, columns)
+                      : i == columns ? cos_sin_deg(options.angle_deg)
+                                     : cos_sin_deg(options.angle_deg * i / columns));
+    turn.u.push_back(static_cast<float>(options.uv.repeat.x * i / columns));
+  }
+  return turn;
+}
+
+glm::dvec3 middle_of(const std::vector<Section>& sections) {
+  double radius = 0;
+  double low = sections.front().points.front().position.y;
+  double high = low;
+  for (const Section& section : sections) {
+    for (const SectionPoint& point : section.points) {
+      radius = std::max(radius, point.position.x);
+      low = std::min(low, point.position.y);
+      high = std::max(high, point.position.y);
+    }
+  }
+  return choose_origin({-radius, low, -radius}, {radius, high, radius});
+}
+
+void add_wall(Mesh& mesh, const Section& section, const Turn& turn, const UvOptions& uv) {
+  std::vector<bool> poles(section.points.size());
+  std::vector<bool> breaks = section.breaks;
+  for (std::size_t j = 0; j < poles.size(); ++j) {
+    poles[j] = section.points[j].position.x == 0;
+    if (poles[j]) breaks[j] = true;
+  }
+  const std::vector<Run> column_runs = {{0, turn.at.size() - 1}};
+  const std::vector<Run> row_runs = split_runs(breaks);
+  const auto first = static_cast<std::uint32_t>(mesh.n_vertices());
+  lay_out_wall(mesh, column_runs, row_runs, poles,
+               {turn.is_whole ? uv.repeat.x : 0, section.is_closed ? uv.repeat.y : 0});
+  const std::span<glm::vec3> positions = mesh.positions();
+  const std::span<glm::vec3> normals = mesh.normals();
+  const std::span<glm::vec2> texcoords = mesh.texcoords();
+  for_each_wall_vertex(
+      first, column_runs, row_runs, poles,
+      [&](std::size_t vertex, std::size_t i, std::size_t j, const Run&, const Run& run) {
+        const SectionPoint& point = section.points[j];
+        const glm::dvec2& tangent = j == run.first ? point.tangent_out : point.tangent_in;
+        const double r = point.position.x;
+        const auto [c, s] = turn.at[i];
+        positions[vertex] = glm::vec3(glm::dvec3(r * c, point.position.y, -r * s) - mesh.origin);
+        normals[vertex] = glm::vec3(glm::dvec3(tangent.y * c, -tangent.x, -tangent.y * s));
+        texcoords[vertex] = {turn.u[i], static_cast<float>(section.fractions[j] * uv.repeat.y)};
+      });
+}
+
 }  // namespace
 
-Mesh revolve(const Curve2& contour, const RevolveOptions& options) {
+Mesh revolve(std::span<const Curve2> contour, const RevolveOptions& options) {
   check_cells(options.tessellation.contour, "contour");
   check_cells(options.tessellation.trajectory, "turn");
   if (!(options.angle_deg > 0 && options.angle_deg <= 360)) {
     throw InputError("angle_deg needs to be above 0 and at most 360, got " + number_text(options.angle_deg));
   }
-  const bool is_whole = options.angle_deg == 360;
-  const int columns = options.tessellation.trajectory;
-  if (is_whole) check_loop(static_cast<std::size_t>(columns), "the whole turn");
+  if (options.caps == Caps::kRound) throw InputError("caps of a turned contour are flat or none, not round");
+  const Turn turn = make_turn(options);
+  if (turn.is_whole) check_loop(turn.at.size() - 1, "the whole turn");
   check_texture(options.uv);
-  Section section = make_section(contour, options.tessellation.contour, options.crease_deg, options.uv.by);
-  snap_to_axis(section);
-
-  const std::size_t row_count = section.points.size();
-  std::vector<bool> poles(row_count);
-  std::vector<bool> breaks = section.breaks;
-  glm::dvec3 low(0.0);
-  glm::dvec3 high(0.0);
+  const ContourSamplers samplers =
+      make_samplers(contour, {}, options.crease_deg, options.uv.by, OutlineSampler::PiecesBy::kCorners);
+  std::vector<Section> sections;
   double radius = 0;
-  low.y = high.y = section.points.front().position.y;
-  for (std::size_t j = 0; j < row_count; ++j) {
-    const glm::dvec2& p = section.points[j].position;
-    poles[j] = p.x == 0;
-    if (poles[j]) breaks[j] = true;
-    radius = std::max(radius, p.x);
-    low.y = std::min(low.y, p.y);
-    high.y = std::max(high.y, p.y);
+  for (Morph& morph : sample(samplers, options.tessellation.contour)) {
+    sections.push_back(std::move(morph.keys.front()));
+    for (const SectionPoint& point : sections.back().points)
+      radius = std::max(radius, std::abs(point.position.x));
   }
-  low.x = low.z = -radius;
-  high.x = high.z = radius;
+  for (Section& section : sections) snap_to_axis(section, radius);
 
   Mesh mesh;
-  mesh.origin = choose_origin(low, high);
-  const std::vector<bool> turn_breaks(static_cast<std::size_t>(columns) + 1, false);
-  const std::vector<Run> column_runs = split_runs(turn_breaks);
-  const std::vector<Run> row_runs = split_runs(breaks);
-  const glm::dvec2 period(is_whole ? options.uv.repeat.x : 0, section.is_closed ? options.uv.repeat.y : 0);
-  lay_out_wall(mesh, column_runs, row_runs, poles, period);
-
-  std::vector<CosSin> turn;
-  std::vector<float> u;
-  for (int i = 0; i <= columns; ++i) {
-    turn.push_back(is_whole       ? cos_sin_turn(i, columns)
-                   : i == columns ? cos_sin_deg(options.angle_deg)
-                                  : cos_sin_deg(options.angle_deg * i / columns));
-    u.push_back(static_cast<float>(options.uv.repeat.x * i / columns));
-  }
-  const std::span<glm::vec3> positions = mesh.positions();
-  const std::span<glm::vec3> normals = mesh.normals();
-  const std::span<glm::vec2> texcoords = mesh.texcoords();
-  for_each_wall_vertex(
-      0, column_runs, row_runs, poles,
-      [&](std::size_t vertex, std::size_t i, std::size_t j, const Run&, const Run& run) {
-        const SectionPoint& point = section.points[j];
-        const glm::dvec2& tangent = j == run.first ? point.tangent_out : point.tangent_in;
-        const double r = point.position.x;
-        const auto [c, s] = turn[i];
-        positions[vertex] = glm::vec3(glm::dvec3(r * c, point.position.y, -r * s) - mesh.origin);
-        normals[vertex] = glm::vec3(glm::dvec3(tangent.y * c, -tangent.x, -tangent.y * s));
-        texcoords[vertex] = {u[i], static_cast<float>(section.fractions[j] * options.uv.repeat.y)};
-      });
-  if (options.caps == Caps::kFlat && section.is_closed && !is_whole) {
-    add_cap(mesh, section, half_plane(0, true), false);
-    add_cap(mesh, section, half_plane(options.angle_deg, false), true);
+  mesh.origin = middle_of(sections);
+  for (const Section& section : sections) add_wall(mesh, section, turn, options.uv);
+  if (options.caps == Caps::kFlat && sections.front().is_closed && !turn.is_whole) {
+    add_flat_caps(mesh, sections, samplers.outer_of, half_plane(0, true), false);
+    add_flat_caps(mesh, sections, samplers.outer_of, half_plane(options.angle_deg, false), true);
   }
   if (options.has_half_edges) write_half_edges(mesh);
   return mesh;
+}
+
+Mesh revolve(const Curve2& contour, const RevolveOptions& options) {
+  return revolve(std::span(&contour, 1), options);
 }
 
 }  // namespace sweepkit::sweep

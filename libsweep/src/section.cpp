@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "cap.hpp"
 #include "number_text.hpp"
 #include "sweepkit/error.hpp"
+#include "triangulate.hpp"
 #include "whole_angle.hpp"
 
 namespace sweepkit::sweep {
@@ -74,24 +74,35 @@ int symmetry_of(const Section& section) {
   return 1;
 }
 
-Section make_section(const Curve2& contour, int cells, double crease_deg, UvBy by) {
+std::vector<glm::dvec2> outline_of(const Section& section) {
+  std::vector<glm::dvec2> outline(section.points.size() - 1);
+  for (std::size_t i = 0; i < outline.size(); ++i) outline[i] = section.points[i].position;
+  return outline;
+}
+
+bool is_drawn_backwards(const Curve2& contour, const std::vector<Station>& stations, bool is_hole) {
+  if (!contour.is_closed()) return false;
+  std::vector<glm::dvec2> outline(stations.size() - 1);
+  for (std::size_t i = 0; i < outline.size(); ++i) outline[i] = contour.evaluate(stations[i].out).position;
+  check_outline(outline);
+  return (twice_signed_area(outline) < 0) != is_hole;
+}
+
+Section make_section(const Curve2& contour, int cells, const SectionOptions& options) {
   std::vector<Station> stations = place_stations(contour, cells);
+  if (!is_drawn_backwards(contour, stations, options.is_hole)) {
+    return make_section(contour, stations, 1, options);
+  }
+  return make_section(contour, reversed(contour, std::move(stations)), -1, options);
+}
+
+Section make_section(const Curve2& contour, const std::vector<Station>& stations, double direction,
+                     const SectionOptions& options) {
   Section section;
   section.is_closed = contour.is_closed();
-  double direction = 1;
-  if (section.is_closed) {
-    std::vector<glm::dvec2> outline;
-    outline.reserve(stations.size());
-    for (const Station& station : stations) outline.push_back(contour.evaluate(station.out).position);
-    outline.pop_back();
-    check_outline(outline);
-    if (twice_signed_area(outline) < 0) {
-      stations = reversed(contour, std::move(stations));
-      direction = -1;
-    }
-  }
-  section.fractions = texture_fractions(stations, by);
-  const double crease_cos = crease_cosine(crease_deg);
+  section.fractions = texture_fractions(stations, options.by);
+  section.points.reserve(stations.size());
+  const double crease_cos = crease_cosine(options.crease_deg);
   for (const Station& station : stations) {
     SectionPoint point{contour.evaluate(station.out).position, direction * contour.tangent(station.in),
                        direction * contour.tangent(station.out)};

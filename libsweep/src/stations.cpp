@@ -13,12 +13,9 @@
 #include "sweepkit/error.hpp"
 
 namespace sweepkit::sweep {
-namespace {
 
-// `cells` shared by length, at least as many as `least` says each: one after the other goes to the piece
-// whose cells are longest at the time (Adams' method of apportionment; ties to the earlier piece). No other
-// share leaves the longest cell shorter, and where cells of one length fit every piece, they are what comes
-// out.
+// Adams' method of apportionment, ties to the earlier piece; where cells of one length fit every piece, they
+// are what comes out.
 std::vector<int> share_cells(const std::vector<double>& lengths, std::vector<int> least, int cells) {
   std::vector<int> share = std::move(least);
   using Entry = std::pair<double, std::size_t>;  // (length of a cell, piece)
@@ -36,42 +33,62 @@ std::vector<int> share_cells(const std::vector<double>& lengths, std::vector<int
   return share;
 }
 
-}  // namespace
+std::vector<int> share_cells(std::span<const Piece> pieces, int cells) {
+  std::vector<double> lengths;
+  std::vector<int> least;
+  lengths.reserve(pieces.size());
+  least.reserve(pieces.size());
+  for (const Piece& piece : pieces) {
+    lengths.push_back(piece.length);
+    least.push_back(piece.least_cells);
+  }
+  return share_cells(lengths, std::move(least), cells);
+}
 
 template <int D>
-std::vector<Station> place_stations(const Curve<D>& curve, int cells, std::span<const int> least_cells) {
+std::vector<Piece> smooth_pieces(const Curve<D>& curve, std::span<const int> least_cells) {
+  const std::span<const double> ends = curve.end_lengths();
+  const auto least = [&](std::size_t i) { return least_cells.empty() ? 1 : least_cells[i]; };
+  std::vector<Piece> pieces;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= ends.size(); ++i) {
+    if (i < ends.size() && !curve.is_corner(i) && least(i) == 1 && least(i - 1) == 1) continue;
+    const double start = first == 0 ? 0 : ends[first - 1];
+    pieces.push_back({first, i, ends[i - 1] - start, least(i - 1)});
+    first = i;
+  }
+  return pieces;
+}
+
+template <int D>
+std::vector<Piece> segment_pieces(const Curve<D>& curve) {
+  const std::span<const double> ends = curve.end_lengths();
+  std::vector<Piece> pieces;
+  pieces.reserve(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    pieces.push_back({i, i + 1, ends[i] - (i == 0 ? 0 : ends[i - 1])});
+  }
+  return pieces;
+}
+
+template <int D>
+std::vector<Station> place_stations(const Curve<D>& curve, std::span<const Piece> pieces,
+                                    std::span<const int> cells) {
   const std::span<const double> ends = curve.end_lengths();
   const std::size_t segments = ends.size();
-  std::vector<std::size_t> piece_ends;  // one past the last segment of each smooth piece
-  const auto least = [&](std::size_t i) { return least_cells.empty() ? 1 : least_cells[i]; };
-  for (std::size_t i = 1; i < segments; ++i) {
-    if (curve.is_corner(i) || least(i) > 1 || least(i - 1) > 1) piece_ends.push_back(i);
-  }
-  piece_ends.push_back(segments);
-
-  std::vector<double> lengths;
-  std::vector<int> least_of_piece;
-  double start = 0;
-  for (const std::size_t end : piece_ends) {
-    lengths.push_back(ends[end - 1] - start);
-    least_of_piece.push_back(least(end - 1));
-    start = ends[end - 1];
-  }
-  const std::vector<int> share = share_cells(lengths, std::move(least_of_piece), cells);
-
   const auto parameter = [&](CurveLocation at) {
     return (static_cast<double>(at.segment) + at.t) / static_cast<double>(segments);
   };
   std::vector<Station> stations;
-  start = 0;
-  for (std::size_t piece = 0; piece < lengths.size(); ++piece) {
-    for (int i = 0; i < share[piece]; ++i) {
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const auto [first, end, length, least] = pieces[k];
+    const double start = first == 0 ? 0 : ends[first - 1];
+    for (int cell = 0; cell < cells[k]; ++cell) {
       Station station;
-      station.length = start + lengths[piece] * i / share[piece];
-      if (i == 0) {
-        const std::size_t first = piece == 0 ? 0 : piece_ends[piece - 1];
+      station.length = start + length * cell / cells[k];
+      if (cell == 0) {
         station.out = {first, 0};
-        station.in = piece > 0           ? CurveLocation{first - 1, 1}
+        station.in = first > 0           ? CurveLocation{first - 1, 1}
                      : curve.is_closed() ? CurveLocation{segments - 1, 1}
                                          : station.out;
         station.is_corner = curve.is_corner(first);
@@ -81,7 +98,6 @@ std::vector<Station> place_stations(const Curve<D>& curve, int cells, std::span<
       station.parameter = parameter(station.out);
       stations.push_back(station);
     }
-    start = ends[piece_ends[piece] - 1];
   }
   Station last = stations.front();
   if (!curve.is_closed()) last = {.in = {segments - 1, 1}, .out = {segments - 1, 1}};
@@ -89,6 +105,12 @@ std::vector<Station> place_stations(const Curve<D>& curve, int cells, std::span<
   last.parameter = 1;
   stations.push_back(last);
   return stations;
+}
+
+template <int D>
+std::vector<Station> place_stations(const Curve<D>& curve, int cells, std::span<const int> least_cells) {
+  const std::vector<Piece> pieces = smooth_pieces(curve, least_cells);
+  return place_stations<D>(curve, pieces, share_cells(pieces, cells));
 }
 
 void check_loop(std::size_t cells, const char* what) {
@@ -133,6 +155,14 @@ void check_texture(const UvOptions& uv) {
   }
 }
 
+template std::vector<Piece> smooth_pieces<2>(const Curve<2>&, std::span<const int>);
+template std::vector<Piece> smooth_pieces<3>(const Curve<3>&, std::span<const int>);
+template std::vector<Piece> segment_pieces<2>(const Curve<2>&);
+template std::vector<Piece> segment_pieces<3>(const Curve<3>&);
+template std::vector<Station> place_stations<2>(const Curve<2>&, std::span<const Piece>,
+                                                std::span<const int>);
+template std::vector<Station> place_stations<3>(const Curve<3>&, std::span<const Piece>,
+                                                std::span<const int>);
 template std::vector<Station> place_stations<2>(const Curve<2>&, int, std::span<const int>);
 template std::vector<Station> place_stations<3>(const Curve<3>&, int, std::span<const int>);
 template std::vector<Station> reversed<2>(const Curve<2>&, std::vector<Station>);

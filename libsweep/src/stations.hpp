@@ -20,10 +20,38 @@ struct Station {
   bool is_corner = false;
 };
 
-/// Stations at the start, the end, every corner, and in between so that there are `cells` cells: shared among
-/// the smooth pieces by length, at least one each (so a curve with more pieces than cells has one cell a
-/// piece), equally long inside a piece. A closed curve has its start again as its last station. `least_cells`
-/// may ask for more than 1 on a segment, which is a piece of its own then.
+/// `cells` shared by length, at least as many as `least` says each: one after the other goes to the piece
+/// whose cells are longest at the time. No other share leaves the longest cell shorter.
+std::vector<int> share_cells(const std::vector<double>& lengths, std::vector<int> least, int cells);
+
+/// Segments of a curve that are divided together.
+struct Piece {
+  std::size_t first;
+  std::size_t end;  ///< one past the last
+  double length;
+  int least_cells = 1;
+};
+
+/// The pieces between corners. `least_cells` may ask for more than 1 on a segment, which is a piece of its
+/// own then.
+template <int D>
+std::vector<Piece> smooth_pieces(const Curve<D>& curve, std::span<const int> least_cells = {});
+
+/// Every segment a piece.
+template <int D>
+std::vector<Piece> segment_pieces(const Curve<D>& curve);
+
+/// `cells` shared among pieces by length, at least as many as each needs.
+std::vector<int> share_cells(std::span<const Piece> pieces, int cells);
+
+/// Stations at the start, the end, every piece's ends, and in between so that piece i has cells[i] cells,
+/// equally long inside it. A closed curve has its start again as its last station.
+template <int D>
+std::vector<Station> place_stations(const Curve<D>& curve, std::span<const Piece> pieces,
+                                    std::span<const int> cells);
+
+/// The same with `cells` in all, shared among the smooth pieces (so a curve with more pieces than cells has
+/// one cell a piece).
 template <int D>
 std::vector<Station> place_stations(const Curve<D>& curve, int cells, std::span<const int> least_cells = {});
 

@@ -1,49 +1,44 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// The general sweep of Akman and Arslan (1992), profiled and twisted:
-//   S(s, t) = c(t) + x(s) X(t) + y(s) Y(t)
-// and its normal from the derivatives, t measured by arc length (rows.cpp says what X and Y are). Away from
-// mitres, profile and twist that is
-//   dS/ds x dS/dt = a (y' N - x' B),   a = 1 - x kN - y kB,
-// kN and kB the curvature. a < 0 where the contour reaches past the centre of curvature and the surface folds
-// over; the normal keeps to the contour's outside there. At a pole dS/ds is 0 and its direction takes its
-// place.
+// The way of a sweep: outlines are divided into columns (outline_sampler, morph), the trajectory's corners
+// are joined (joints) and it is divided into rows (stations, orientation, rows), every outline sweeps a wall
+// (wall), and the ends are capped (flat_cap, round_cap).
 
 #include "sweepkit/sweep/sweep.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <string>
 #include <utility>
 
-#include "cap_writer.hpp"
+#include "flat_cap.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
 #include "joints.hpp"
 #include "number_text.hpp"
 #include "orientation.hpp"
+#include "outline_sampler.hpp"
+#include "round_cap.hpp"
 #include "rows.hpp"
 #include "section.hpp"
 #include "sweepkit/error.hpp"
+#include "wall.hpp"
 
 namespace sweepkit::sweep {
 namespace {
 
-glm::dvec3 point_of(const Row& row, const glm::dvec2& p) {
-  return row.center + p.x * row.x_axis + p.y * row.y_axis;
-}
-
-glm::dvec3 normal_of(const Row& row, const RowSide& side, const glm::dvec2& p, const glm::dvec2& tangent) {
-  const Frame& f = side.frame;
-  // Where only the trajectory bends, both derivatives lie in planes that this is perpendicular to.
-  if (side.is_plain) return tangent.y * f.normal - tangent.x * f.binormal;
-  const glm::dvec3 across = tangent.x * row.x_direction + tangent.y * row.y_direction;
-  const glm::dvec3 ahead = f.tangent + p.x * side.x_rate + p.y * side.y_rate;
-  const glm::dvec3 outward = glm::cross(across, f.tangent);
-  const glm::dvec3 normal = glm::cross(across, ahead);
-  const double length = glm::length(normal);
-  if (length > 1e-12 * glm::length(ahead)) return (glm::dot(normal, outward) < 0 ? -normal : normal) / length;
-  const double width = glm::length(outward);
-  return width > 0 ? outward / width : tangent.y * f.normal - tangent.x * f.binormal;
+void check_options(std::span<const Curve2> contour, const SweepOptions& options) {
+  check_cells(options.tessellation.contour, "contour");
+  check_cells(options.tessellation.trajectory, "trajectory");
+  check_texture(options.uv);
+  if (!(options.miter_limit >= 1)) {
+    throw InputError("miter_limit needs to be 1 or more, got " + number_text(options.miter_limit));
+  }
+  if (options.caps == Caps::kRound && contour.size() > 1) {
+    throw InputError("caps that are round need a contour of one outline, got " +
+                     std::to_string(contour.size()) + "; make them flat");
+  }
 }
 
 std::vector<bool> row_breaks(const std::vector<Row>& rows, const SweepOptions& options) {
@@ -58,25 +53,65 @@ std::vector<bool> row_breaks(const std::vector<Row>& rows, const SweepOptions& o
   return breaks;
 }
 
-// What a wall is written from: the section's columns, the rows, and where both break.
-struct Wall {
-  Section section;
-  std::vector<Row> rows;
-  std::vector<bool> breaks;  // of the normal, a row
-  std::vector<bool> poles;
-  std::vector<double> v_fractions;
-  std::vector<Run> column_runs;
-  std::vector<Run> row_runs;
-  // A closed trajectory's last row is its first one's vertices, so many columns on.
-  std::size_t closing_columns = 0;
-  glm::dvec2 repeat{1.0};
-};
+double reach_of(const std::vector<Morph>& morphs) {
+  double reach = 0;
+  for (const Morph& morph : morphs) reach = std::max(reach, reach_of(morph));
+  return reach;
+}
 
-glm::dvec3 middle_of(const Wall& wall) {
-  const double reach = reach_of(wall.section);
-  glm::dvec3 low = wall.rows.front().center;
+// Turned by a whole turn / this, every outline covers itself.
+int symmetry_of(const std::vector<Morph>& morphs) {
+  int symmetry = 0;
+  for (const Morph& morph : morphs) {
+    // What changes on the way is not looked into.
+    symmetry = std::gcd(symmetry, morph.changes() ? 1 : symmetry_of(morph.keys.front()));
+  }
+  return symmetry;
+}
+
+void check_morphs_close(const std::vector<Morph>& morphs) {
+  for (const Morph& morph : morphs) {
+    if (!morph.changes()) continue;
+    const Section last = section_at(morph, 1);
+    const Section& first = morph.keys.front();
+    for (std::size_t i = 0; i < first.points.size(); ++i) {
+      // A millionth is what float32 would not show.
+      if (glm::length(last.points[i].position - first.points[i].position) > 1e-6 * reach_of(first)) {
+        throw InputError(
+            "morph ends in another contour than it began with, but the trajectory is closed; end it with the "
+            "contour itself at t = 1");
+      }
+    }
+  }
+}
+
+std::size_t closing_columns(const Morph& morph, int symmetry, int closing_steps, bool is_hole) {
+  const auto columns = static_cast<int>(morph.columns());
+  // A hole's columns run the other way round.
+  const int steps = ((is_hole ? -closing_steps : closing_steps) % symmetry + symmetry) % symmetry;
+  return static_cast<std::size_t>(columns / symmetry * steps);
+}
+
+Spine make_spine(const Curve3& trajectory, const std::vector<Station>& stations,
+                 const std::vector<StationFrames>& frames, const SweepOptions& options) {
+  Spine spine;
+  spine.rows = make_rows(trajectory, stations, frames, options.profile);
+  spine.breaks = row_breaks(spine.rows, options);
+  spine.poles.resize(spine.rows.size());
+  std::transform(spine.rows.begin(), spine.rows.end(), spine.poles.begin(),
+                 [](const Row& row) { return row.is_pole; });
+  spine.shares = texture_fractions(stations, UvBy::kArcLength);
+  spine.v = texture_fractions(stations, options.uv.by);
+  spine.runs = split_runs(spine.breaks);
+  spine.length = trajectory.length();
+  spine.is_closed = trajectory.is_closed();
+  return spine;
+}
+
+glm::dvec3 middle_of(const Spine& spine, double reach) {
+  glm::dvec3 low = spine.rows.front().center;
   glm::dvec3 high = low;
-  for (const Row& row : wall.rows) {
+  for (const Row& row : spine.rows) {
     const double size = reach * std::max(glm::length(row.x_axis), glm::length(row.y_axis));
     low = glm::min(low, row.center - size);
     high = glm::max(high, row.center + size);
@@ -84,41 +119,39 @@ glm::dvec3 middle_of(const Wall& wall) {
   return choose_origin(low, high);
 }
 
-void write_wall(Mesh& mesh, const Wall& wall) {
-  const std::span<glm::vec3> positions = mesh.positions();
-  const std::span<glm::vec3> normals = mesh.normals();
-  const std::span<glm::vec2> texcoords = mesh.texcoords();
-  const std::size_t columns = wall.section.points.size() - 1;
-  for_each_wall_vertex(
-      0, wall.column_runs, wall.row_runs, wall.poles,
-      [&](std::size_t vertex, std::size_t i, std::size_t j, const Run& column_run, const Run& row_run) {
-        const Row& row = wall.rows[j];
-        const bool is_home = j + 1 == wall.rows.size() && wall.closing_columns > 0;
-        const SectionPoint& point = wall.section.points[is_home ? (i + wall.closing_columns) % columns : i];
-        const glm::dvec2& tangent = i == column_run.first ? point.tangent_out : point.tangent_in;
-        // A corner that breaks shows the side this run lies on; one that does not shows the middle of both.
-        const RowSide& side = j == row_run.first && wall.breaks[j] ? row.out : row.in;
-        glm::dvec3 normal = normal_of(row, side, point.position, tangent);
-        if (row.is_corner && !wall.breaks[j])
-          normal = glm::normalize(normal + normal_of(row, row.out, point.position, tangent));
-        positions[vertex] = glm::vec3(point_of(row, point.position) - mesh.origin);
-        normals[vertex] = glm::vec3(normal);
-        texcoords[vertex] = {static_cast<float>(wall.section.fractions[i] * wall.repeat.x),
-                             static_cast<float>(wall.v_fractions[j] * wall.repeat.y)};
-      });
+// A section that the profile has shrunk to a point or pressed flat is closed without a cap.
+bool needs_cap(const Row& row) {
+  return glm::length(row.x_axis) > 0 && glm::length(row.y_axis) > 0;
+}
+
+void add_cap(Mesh& mesh, const std::vector<Morph>& morphs, const std::vector<std::size_t>& outer_of,
+             const Spine& spine, End end, const SweepOptions& options) {
+  const bool is_first = end == End::kFirst;
+  const Row& row = is_first ? spine.rows.front() : spine.rows.back();
+  if (!needs_cap(row)) return;
+  std::vector<Section> sections;
+  sections.reserve(morphs.size());
+  for (const Morph& morph : morphs) sections.push_back(section_at(morph, is_first ? 0 : 1));
+  if (options.caps == Caps::kRound) {
+    // As many cells over the dome as over a quarter of the contour, and enough to look round.
+    const auto cells =
+        static_cast<std::uint32_t>(std::max<std::size_t>(4, (morphs.front().columns() + 3) / 4));
+    add_round_cap(mesh, sections.front(), row, end, cells, options.uv);
+    return;
+  }
+  // Seen from outside the first cap shows the contour mirrored.
+  const glm::dvec3 outwards = is_first ? -row.out.frame.tangent : row.in.frame.tangent;
+  add_flat_caps(mesh, sections, outer_of, {row.center, row.x_axis, row.y_axis, outwards}, is_first);
 }
 
 }  // namespace
 
-Mesh sweep(const Curve2& contour, const Curve3& given_trajectory, const SweepOptions& options) {
-  check_cells(options.tessellation.contour, "contour");
-  check_cells(options.tessellation.trajectory, "trajectory");
-  check_texture(options.uv);
-  if (!(options.miter_limit >= 1)) {
-    throw InputError("miter_limit needs to be 1 or more, got " + number_text(options.miter_limit));
-  }
-  Section section = make_section(contour, options.tessellation.contour, options.crease_deg, options.uv.by);
-  const double reach = reach_of(section);
+Mesh sweep(std::span<const Curve2> contour, const Curve3& given_trajectory, const SweepOptions& options) {
+  check_options(contour, options);
+  const ContourSamplers samplers = make_samplers(contour, options.morph, options.crease_deg, options.uv.by,
+                                                 OutlineSampler::PiecesBy::kCorners);
+  std::vector<Morph> morphs = sample(samplers, options.tessellation.contour);
+  const double reach = reach_of(morphs);
   const auto [trajectory, least_cells] =
       join_corners(given_trajectory, options.joints, options.miter_limit, [&](double length) {
         const double t = length / given_trajectory.length();
@@ -126,44 +159,32 @@ Mesh sweep(const Curve2& contour, const Curve3& given_trajectory, const SweepOpt
       });
   const std::vector<Station> stations =
       place_stations(trajectory, options.tessellation.trajectory, least_cells);
-  if (trajectory.is_closed()) check_loop(stations.size() - 1, "trajectory");
-  const int symmetry = trajectory.is_closed() ? symmetry_of(section) : 1;
+  if (trajectory.is_closed()) {
+    check_loop(stations.size() - 1, "trajectory");
+    check_morphs_close(morphs);
+  }
+  const int symmetry = trajectory.is_closed() ? symmetry_of(morphs) : 1;
   const Oriented oriented = orient(trajectory, stations, options.orientation, options.twist_deg, symmetry);
-  std::vector<Row> rows = make_rows(trajectory, stations, oriented.frames, options.profile);
-  std::vector<bool> breaks = row_breaks(rows, options);
-  std::vector<bool> poles(rows.size());
-  std::transform(rows.begin(), rows.end(), poles.begin(), [](const Row& row) { return row.is_pole; });
-  std::vector<Run> column_runs = split_runs(section.breaks);
-  std::vector<Run> row_runs = split_runs(breaks);
-  const auto columns = static_cast<int>(section.points.size()) - 1;
-  const int steps = (oriented.closing_steps % symmetry + symmetry) % symmetry;
-  const Wall wall{std::move(section),
-                  std::move(rows),
-                  std::move(breaks),
-                  std::move(poles),
-                  texture_fractions(stations, options.uv.by),
-                  std::move(column_runs),
-                  std::move(row_runs),
-                  static_cast<std::size_t>(columns / symmetry * steps),
-                  options.uv.repeat};
+  const Spine spine = make_spine(trajectory, stations, oriented.frames, options);
 
   Mesh mesh;
-  mesh.origin = middle_of(wall);
-  const glm::dvec2 period(wall.section.is_closed ? options.uv.repeat.x : 0,
-                          trajectory.is_closed() ? options.uv.repeat.y : 0);
-  lay_out_wall(mesh, wall.column_runs, wall.row_runs, wall.poles, period);
-  write_wall(mesh, wall);
-  if (options.caps == Caps::kFlat && wall.section.is_closed && !trajectory.is_closed()) {
-    // Seen from outside the first cap shows the contour mirrored.
-    const Row& first = wall.rows.front();
-    const Row& last = wall.rows.back();
-    if (!first.is_pole)
-      add_cap(mesh, wall.section, {first.center, first.x_axis, first.y_axis, -first.out.frame.tangent}, true);
-    if (!last.is_pole)
-      add_cap(mesh, wall.section, {last.center, last.x_axis, last.y_axis, last.in.frame.tangent}, false);
+  mesh.origin = middle_of(spine, reach);
+  for (std::size_t i = 0; i < morphs.size(); ++i) {
+    const bool is_hole = samplers.outer_of[i] != i;
+    const Wall wall{morphs[i], split_runs(morphs[i].keys.front().breaks),
+                    closing_columns(morphs[i], symmetry, oriented.closing_steps, is_hole)};
+    add_wall(mesh, wall, spine, options.uv);
+  }
+  if (options.caps != Caps::kNone && contour.front().is_closed() && !trajectory.is_closed()) {
+    add_cap(mesh, morphs, samplers.outer_of, spine, End::kFirst, options);
+    add_cap(mesh, morphs, samplers.outer_of, spine, End::kLast, options);
   }
   if (options.has_half_edges) write_half_edges(mesh);
   return mesh;
+}
+
+Mesh sweep(const Curve2& contour, const Curve3& trajectory, const SweepOptions& options) {
+  return sweep(std::span(&contour, 1), trajectory, options);
 }
 
 }  // namespace sweepkit::sweep

@@ -4,13 +4,18 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
 #include "sweepkit/sweep/curve.hpp"
 #include "sweepkit/sweep/law.hpp"
 
 namespace sweepkit::sweep {
 
-enum class Caps { kNone, kFlat };
+enum class Caps {
+  kNone,
+  kFlat,
+  kRound,  ///< a dome, over a circle a hemisphere; a sweep's alone, and for contours without holes
+};
 
 /// Cells along each direction; shared among the smooth pieces between corners by length, at least one each.
 struct Tessellation {
@@ -57,6 +62,12 @@ struct Profile {
   Law y = 1;
 };
 
+/// What the contour has changed into at a share of the trajectory's length.
+struct MorphKey {
+  double at;                    ///< above 0, at most 1
+  std::vector<Curve2> contour;  ///< as many outlines and holes as the contour itself
+};
+
 struct SweepOptions {
   Tessellation tessellation;
   UvOptions uv;
@@ -67,7 +78,8 @@ struct SweepOptions {
   double miter_limit =
       4;  ///< a mitre's length over the section's width, at least 1: 4 mitres down to 29 degrees
   Profile profile;
-  Law twist_deg = 0;  ///< the section's turn about the trajectory, right-handed
+  std::vector<MorphKey> morph;  ///< ascending; points and corners may differ from key to key
+  Law twist_deg = 0;            ///< the section's turn about the trajectory, right-handed
   Orientation orientation;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 
 #include "sweepkit/sweep/curve.hpp"
 #include "sweepkit/sweep/mesh.hpp"
@@ -27,12 +28,20 @@ namespace sweepkit::sweep {
 /// repeat that is not finite, more triangles than 32-bit half-edges can number (715 million).
 Mesh sweep(const Curve2& contour, const Curve3& trajectory, const SweepOptions& options = {});
 
+/// The same for a contour of several outlines, all closed: one that lies inside of an odd number of others is
+/// a hole. Every outline's wall is an area of its own; they share the cells by length. Throws InputError also
+/// where one of several is open, and for round caps.
+Mesh sweep(std::span<const Curve2> contour, const Curve3& trajectory, const SweepOptions& options = {});
+
 /// The contour (distance from the axis, height) turned about +Y, counter-clockwise seen from +Y. u runs round
 /// the turn, to the right seen from outside, v along the contour. Outside is as for sweep(): a vase drawn
 /// upwards faces out. A vertex on the axis is a pole (see GridPatch); what of the contour lies on the axis
 /// has no surface. Throws InputError where a vertex is beyond the axis (x < 0), where all are on it, for an
 /// angle outside of 0 to 360, or as sweep() does.
 Mesh revolve(const Curve2& contour, const RevolveOptions& options = {});
+
+/// The same for a contour of several outlines, as sweep() takes them.
+Mesh revolve(std::span<const Curve2> contour, const RevolveOptions& options = {});
 
 /// A rectangle of size (x, z) metres in the x,z plane about the origin, facing +Y, u along x, v along -z.
 /// Throws InputError unless both are above 0 and finite, and for cell counts out of range.

@@ -8,11 +8,13 @@
 // Departs from the textbook's in the search for vertices inside an ear: a binary tree of bounding boxes over
 // the outline's order, whose neighbours lie near each other, finds them in about log n instead of n steps.
 
-#include "cap.hpp"
+#include "triangulate.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <limits>
+
+#include "bridge_holes.hpp"
 
 namespace sweepkit::sweep {
 namespace {
@@ -183,6 +185,22 @@ std::vector<Triangle> triangulate_polygon(std::span<const glm::dvec2> polygon) {
   if (polygon.size() < 3) return {};
   if (is_strictly_convex(polygon)) return halve(polygon.size());
   return EarClipper(polygon).clip();
+}
+
+std::vector<Triangle> triangulate_region(std::span<const std::vector<glm::dvec2>> outlines) {
+  if (outlines.size() == 1) return triangulate_polygon(outlines.front());
+  std::vector<glm::dvec2> points;
+  for (const std::vector<glm::dvec2>& outline : outlines)
+    points.insert(points.end(), outline.begin(), outline.end());
+  const std::vector<std::uint32_t> ring = bridge_holes(outlines);
+  std::vector<glm::dvec2> round;
+  round.reserve(ring.size());
+  for (const std::uint32_t vertex : ring) round.push_back(points[vertex]);
+  std::vector<Triangle> triangles = EarClipper(round).clip();
+  for (Triangle& triangle : triangles) {
+    for (std::uint32_t& vertex : triangle) vertex = ring[vertex];
+  }
+  return triangles;
 }
 
 }  // namespace sweepkit::sweep

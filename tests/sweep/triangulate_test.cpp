@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
-#include "cap.hpp"
+#include "triangulate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ void expect_covers(const std::vector<glm::dvec2>& polygon) {
   EXPECT_NEAR(sum, whole, 1e-9 * whole);
 }
 
-TEST(Cap, CoversConvexOutlinesOfEverySize) {
+TEST(Triangulate, CoversConvexOutlinesOfEverySize) {
   for (int n = 3; n < 200; ++n) {
     std::vector<glm::dvec2> circle;
     for (int i = 0; i < n; ++i)
@@ -41,7 +41,7 @@ TEST(Cap, CoversConvexOutlinesOfEverySize) {
   }
 }
 
-TEST(Cap, CoversASquareWithManyPointsOnItsSides) {
+TEST(Triangulate, CoversASquareWithManyPointsOnItsSides) {
   std::vector<glm::dvec2> square;
   for (int i = 0; i < 10; ++i) square.push_back({i / 10.0, 0});
   for (int i = 0; i < 10; ++i) square.push_back({1, i / 10.0});
@@ -50,7 +50,7 @@ TEST(Cap, CoversASquareWithManyPointsOnItsSides) {
   expect_covers(square);
 }
 
-TEST(Cap, CoversStarsAndCombs) {
+TEST(Triangulate, CoversStarsAndCombs) {
   std::vector<glm::dvec2> star;
   for (int i = 0; i < 40; ++i) {
     const double r = i % 2 == 0 ? 1 : 0.3;
@@ -66,7 +66,7 @@ TEST(Cap, CoversStarsAndCombs) {
   expect_covers(comb);
 }
 
-TEST(Cap, CoversRandomStarShapedOutlines) {
+TEST(Triangulate, CoversRandomStarShapedOutlines) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> radius(0.05, 1);
   for (int round = 0; round < 200; ++round) {
@@ -81,7 +81,7 @@ TEST(Cap, CoversRandomStarShapedOutlines) {
   }
 }
 
-TEST(Cap, CoversATurnedSquareWhosePointsAreOffItsSidesByRounding) {
+TEST(Triangulate, CoversATurnedSquareWhosePointsAreOffItsSidesByRounding) {
   for (int turn = 1; turn < 40; ++turn) {
     const double c = std::cos(0.1 * turn);
     const double s = std::sin(0.1 * turn);
@@ -100,7 +100,7 @@ TEST(Cap, CoversATurnedSquareWhosePointsAreOffItsSidesByRounding) {
   }
 }
 
-TEST(Cap, CoversASpiralOfTwoArms) {
+TEST(Triangulate, CoversASpiralOfTwoArms) {
   // Two walls 0.1 apart wound three times about each other: long, thin and concave everywhere.
   std::vector<glm::dvec2> spiral;
   const int n = 300;
@@ -116,7 +116,7 @@ TEST(Cap, CoversASpiralOfTwoArms) {
   expect_covers(spiral);
 }
 
-TEST(Cap, CoversAnOutlineOfAsManyCellsAsThereMayBe) {
+TEST(Triangulate, CoversAnOutlineOfAsManyCellsAsThereMayBe) {
   // A search of every vertex for every ear would take minutes here.
   std::vector<glm::dvec2> flower;
   const int n = 32768;
@@ -133,7 +133,7 @@ TEST(Cap, CoversAnOutlineOfAsManyCellsAsThereMayBe) {
   EXPECT_NEAR(sum, twice_signed_area(flower), 1e-9);
 }
 
-TEST(Cap, OfAnOutlineThatCrossesItselfStillUsesEveryVertexAndEnds) {
+TEST(Triangulate, OfAnOutlineThatCrossesItselfStillUsesEveryVertexAndEnds) {
   const std::vector<glm::dvec2> bow = {{0, 0}, {2, 2}, {2, 0}, {0, 2}, {-1, 1}};
   std::set<std::uint32_t> used;
   const std::vector<Triangle> triangles = triangulate_polygon(bow);

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "matching.hpp"
+#include "morph.hpp"
+#include "section.hpp"
+#include "stations.hpp"
+#include "sweepkit/sweep/curve.hpp"
+#include "sweepkit/sweep/options.hpp"
+
+namespace sweepkit::sweep {
+
+/// An outline, or several that it changes between, ready to be divided into columns.
+class OutlineSampler {
+ public:
+  struct Key {
+    double at;
+    const Curve2* curve;  ///< kept as a pointer
+  };
+  enum class PiecesBy { kCorners, kSegments };
+
+  /// Precondition: at least one key, ascending. Throws InputError as make_section() does, and where open and
+  /// closed outlines are mixed.
+  OutlineSampler(const std::vector<Key>& keys, const SectionOptions& options, PiecesBy by);
+
+  /// What is divided evenly: for several keys the pieces between the corners of all of them, as long as the
+  /// longest of them there.
+  std::span<const Piece> pieces() const { return pieces_; }
+  bool is_closed() const { return walks_.front().curve().is_closed(); }
+  double length() const;
+
+  Morph sample(std::span<const int> cells) const;
+
+ private:
+  Morph sample_one(std::span<const int> cells) const;
+  std::vector<double> places(std::span<const int> cells) const;
+
+  std::vector<double> at_;
+  std::vector<Walk> walks_;
+  std::vector<RisingMap> maps_;  // from the first key's walk to each key's
+  std::vector<double> breaks_;   // ends of the pieces on the first key's walk, 0 to 1; of several keys
+  std::vector<Piece> pieces_;
+  SectionOptions options_;
+};
+
+/// The outlines of a contour and of what it changes into.
+struct ContourSamplers {
+  std::vector<OutlineSampler> outlines;
+  std::vector<std::size_t> outer_of;  ///< as nest_outlines() says
+};
+
+/// Keeps pointers to the curves. Throws InputError as nest_outlines() and OutlineSampler do, for keys that
+/// are not ascending between 0 and 1, and where a key has other numbers of outlines or holes than the
+/// contour.
+ContourSamplers make_samplers(std::span<const Curve2> contour, std::span<const MorphKey> morph,
+                              double crease_deg, UvBy by, OutlineSampler::PiecesBy pieces_by);
+
+/// Every outline in columns, `cells` in all shared among their pieces by length, at least one each.
+std::vector<Morph> sample(const ContourSamplers& samplers, int cells);
+
+}  // namespace sweepkit::sweep

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// With g the section's centroid, h the dome's height and n outwards along the trajectory
+//   D(s, a) = c + g + cos(a) (p(s) - g) + h sin(a) n,   a from 0 at the ring to 90 degrees at the pole:
+// a hemisphere over a circle, half of an ellipsoid over an ellipse. Every layer is the section made smaller
+// at a height of its own, so a dome over any outline that does not cross itself does not either.
+
+#include "round_cap.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "grid_writer.hpp"
+#include "triangulate.hpp"
+#include "wall.hpp"
+#include "whole_angle.hpp"
+
+namespace sweepkit::sweep {
+namespace {
+
+glm::dvec2 centroid_of(const std::vector<glm::dvec2>& outline) {
+  glm::dvec2 sum(0.0);
+  double area = 0;
+  const glm::dvec2& about = outline.front();
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+    const glm::dvec2 a = outline[i] - about;
+    const glm::dvec2 b = outline[i + 1] - about;
+    const double twice = a.x * b.y - a.y * b.x;
+    area += twice;
+    sum += twice * (a + b);
+  }
+  return area != 0 ? about + sum / (3 * area) : about;
+}
+
+}  // namespace
+
+double dome_height(const Section& section, const Row& row) {
+  const double area = 0.5 * std::abs(twice_signed_area(outline_of(section))) *
+                      glm::length(glm::cross(row.x_axis, row.y_axis));
+  return std::sqrt(area / std::numbers::pi);
+}
+
+void add_round_cap(Mesh& mesh, const Section& section, const Row& row, End end, std::uint32_t rows,
+                   const UvOptions& uv) {
+  const bool is_first = end == End::kFirst;
+  const double height = dome_height(section, row);
+  const glm::dvec3 tangent = is_first ? row.out.frame.tangent : row.in.frame.tangent;
+  const glm::dvec3 outwards = is_first ? -tangent : tangent;
+  const glm::dvec2 g = centroid_of(outline_of(section));
+
+  const std::vector<Run> column_runs = split_runs(section.breaks);
+  const std::vector<Run> row_runs = {{0, rows}};
+  std::vector<bool> poles(rows + 1, false);
+  if (is_first) {
+    poles.front() = true;
+  } else {
+    poles.back() = true;
+  }
+  const auto first_vertex = static_cast<std::uint32_t>(mesh.n_vertices());
+  lay_out_wall(mesh, column_runs, row_runs, poles, {uv.repeat.x, 0});
+  for_each_wall_vertex(
+      first_vertex, column_runs, row_runs, poles,
+      [&](std::size_t vertex, std::size_t i, std::size_t j, const Run& column_run, const Run&) {
+        const SectionPoint& point = section.points[i];
+        const auto layer = static_cast<int>(is_first ? rows - j : j);
+        const auto [c, s] = cos_sin_turn(layer, 4 * static_cast<int>(rows));
+        const glm::dvec2 p = g + c * (point.position - g);
+        const glm::dvec3 position =
+            layer == 0 ? position_of(row, point.position) : position_of(row, p) + height * s * outwards;
+        const glm::dvec2& along = i == column_run.first ? point.tangent_out : point.tangent_in;
+        const glm::dvec3 across = along.x * row.x_axis + along.y * row.y_axis;
+        const glm::dvec2 from_axis = point.position - g;
+        const glm::dvec3 inwards = from_axis.x * row.x_axis + from_axis.y * row.y_axis;
+        const glm::dvec3 ahead = height * c * tangent + (is_first ? s : -s) * inwards;
+        const glm::dvec3 normal = glm::cross(across, ahead);
+        const double length = glm::length(normal);
+        const bool is_pole = layer == static_cast<int>(rows) || !(length > 0);
+        mesh.positions()[vertex] = glm::vec3(position - mesh.origin);
+        mesh.normals()[vertex] = glm::vec3(is_pole ? outwards : normal / length);
+        mesh.texcoords()[vertex] = {static_cast<float>(section.fractions[i] * uv.repeat.x),
+                                    static_cast<float>(j) / static_cast<float>(rows)};
+      });
+}
+
+}  // namespace sweepkit::sweep
