@@ -9,7 +9,6 @@
 #include "round_cap.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "grid_writer.hpp"
@@ -34,21 +33,32 @@ glm::dvec2 centroid_of(const std::vector<glm::dvec2>& outline) {
   return area != 0 ? about + sum / (3 * area) : about;
 }
 
-}  // namespace
-
-double dome_height(const Section& section, const Row& row) {
-  const double area = 0.5 * std::abs(twice_signed_area(outline_of(section))) *
-                      glm::length(glm::cross(row.x_axis, row.y_axis));
-  return std::sqrt(area / std::numbers::pi);
+// The outline's mean distance from g.
+double dome_height(const Section& section, const Row& row, const glm::dvec2& g) {
+  double sum = 0;
+  double length = 0;
+  const auto from_axis = [&](std::size_t i) {
+    const glm::dvec2 p = section.points[i].position - g;
+    return p.x * row.x_axis + p.y * row.y_axis;
+  };
+  for (std::size_t i = 0; i + 1 < section.points.size(); ++i) {
+    const glm::dvec3 a = from_axis(i);
+    const glm::dvec3 b = from_axis(i + 1);
+    sum += glm::length(b - a) * 0.5 * (glm::length(a) + glm::length(b));
+    length += glm::length(b - a);
+  }
+  return sum / length;
 }
+
+}  // namespace
 
 void add_round_cap(Mesh& mesh, const Section& section, const Row& row, End end, std::uint32_t rows,
                    const UvOptions& uv) {
   const bool is_first = end == End::kFirst;
-  const double height = dome_height(section, row);
   const glm::dvec3 tangent = is_first ? row.out.frame.tangent : row.in.frame.tangent;
   const glm::dvec3 outwards = is_first ? -tangent : tangent;
   const glm::dvec2 g = centroid_of(outline_of(section));
+  const double height = dome_height(section, row, g);
 
   const std::vector<Run> column_runs = split_runs(section.breaks);
   const std::vector<Run> row_runs = {{0, rows}};

@@ -12,12 +12,9 @@ namespace sweepkit::sweep {
 /// Which end of a trajectory.
 enum class End { kFirst, kLast };
 
-/// The height of a section's dome at a row: the radius of the circle of the same area, so that a circle's
-/// dome is a hemisphere.
-double dome_height(const Section& section, const Row& row);
-
-/// Closes a closed section with a dome of `rows` rows of cells over its centroid, an area of its own whose u
-/// is the wall's and whose v runs from 0 to 1 along the trajectory. Its ring has the bits of the wall's.
+/// Closes a closed section with a dome of `rows` rows of cells over its centroid, as high as the outline's
+/// mean distance from that (a hemisphere over a circle), an area of its own whose u is the wall's and whose v
+/// runs from 0 to 1 along the trajectory. Its ring has the bits of the wall's.
 void add_round_cap(Mesh& mesh, const Section& section, const Row& row, End end, std::uint32_t rows,
                    const UvOptions& uv);
 

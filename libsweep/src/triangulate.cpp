@@ -15,6 +15,7 @@
 #include <limits>
 
 #include "bridge_holes.hpp"
+#include "delaunay_flips.hpp"
 
 namespace sweepkit::sweep {
 namespace {
@@ -184,7 +185,9 @@ double twice_signed_area(std::span<const glm::dvec2> polygon) {
 std::vector<Triangle> triangulate_polygon(std::span<const glm::dvec2> polygon) {
   if (polygon.size() < 3) return {};
   if (is_strictly_convex(polygon)) return halve(polygon.size());
-  return EarClipper(polygon).clip();
+  std::vector<Triangle> triangles = EarClipper(polygon).clip();
+  flip_to_delaunay(polygon, triangles);
+  return triangles;
 }
 
 std::vector<Triangle> triangulate_region(std::span<const std::vector<glm::dvec2>> outlines) {
@@ -200,6 +203,7 @@ std::vector<Triangle> triangulate_region(std::span<const std::vector<glm::dvec2>
   for (Triangle& triangle : triangles) {
     for (std::uint32_t& vertex : triangle) vertex = ring[vertex];
   }
+  flip_to_delaunay(points, triangles);
   return triangles;
 }
 

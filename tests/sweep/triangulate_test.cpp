@@ -142,5 +142,83 @@ TEST(Triangulate, OfAnOutlineThatCrossesItselfStillUsesEveryVertexAndEnds) {
   EXPECT_EQ(used.size(), 5u);
 }
 
+// Covers a polygon with holes once.
+void expect_covers_region(const std::vector<std::vector<glm::dvec2>>& outlines) {
+  std::vector<glm::dvec2> points;
+  double whole = 0;
+  for (const auto& outline : outlines) {
+    points.insert(points.end(), outline.begin(), outline.end());
+    whole += twice_signed_area(outline);  // a hole's is negative
+  }
+  const std::vector<Triangle> triangles = triangulate_region(outlines);
+  EXPECT_EQ(triangles.size(), points.size() + 2 * (outlines.size() - 1) - 2);
+  double sum = 0;
+  std::set<std::uint32_t> used;
+  for (const Triangle& t : triangles) {
+    const double area = twice_signed_area(std::vector<glm::dvec2>{points[t[0]], points[t[1]], points[t[2]]});
+    EXPECT_GT(area, 0);
+    sum += area;
+    used.insert(t.begin(), t.end());
+  }
+  EXPECT_EQ(used.size(), points.size());
+  EXPECT_NEAR(sum, whole, 1e-9 * whole);
+}
+
+std::vector<glm::dvec2> hole(glm::dvec2 center, double radius, int n) {
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i < n; ++i) {
+    const double a = -2 * std::numbers::pi * i / n;
+    points.push_back(center + radius * glm::dvec2(std::cos(a), std::sin(a)));
+  }
+  return points;
+}
+
+TEST(Triangulate, CoversAGridOfHolesWhoseVerticesLieInRows) {
+  std::vector<std::vector<glm::dvec2>> outlines = {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}};
+  for (int x = 0; x < 5; ++x) {
+    for (int y = 0; y < 5; ++y) outlines.push_back(hole({2 * x + 1, 2 * y + 1}, 0.6, 4 + (x + y) % 9));
+  }
+  expect_covers_region(outlines);
+}
+
+TEST(Triangulate, CoversRandomHolesInARandomOutline) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int round = 0; round < 60; ++round) {
+    std::vector<glm::dvec2> outer;
+    const int n = 5 + round;
+    for (int i = 0; i < n; ++i) {
+      const double a = 2 * std::numbers::pi * i / n;
+      outer.push_back((2 + unit(random)) * glm::dvec2(std::cos(a), std::sin(a)));
+    }
+    std::vector<std::vector<glm::dvec2>> outlines = {outer};
+    for (int x = -2; x <= 2; ++x) {
+      for (int y = -2; y <= 2; ++y) {
+        const glm::dvec2 center(0.5 * x + 0.1 * unit(random), 0.5 * y + 0.1 * unit(random));
+        // Well inside of the chords between neighbours.
+        if (glm::length(center) < 2 * std::cos(std::numbers::pi / n) - 0.3 && unit(random) < 0.7) {
+          outlines.push_back(
+              hole(center, 0.05 + 0.14 * unit(random), 3 + static_cast<int>(9 * unit(random))));
+        }
+      }
+    }
+    expect_covers_region(outlines);
+  }
+}
+
+TEST(Triangulate, CoversAHoleInANarrowCombsBack) {
+  // Every tooth hides the outline to the right of the holes behind it.
+  std::vector<glm::dvec2> comb = {{0, 0}, {1, 0}};
+  for (int i = 0; i < 10; ++i) {
+    comb.emplace_back(5, i);
+    comb.emplace_back(1, i + 0.5);
+  }
+  comb.emplace_back(1, 11);
+  comb.emplace_back(0, 11);
+  std::vector<std::vector<glm::dvec2>> outlines = {comb};
+  for (int i = 1; i < 10; ++i) outlines.push_back(hole({0.5, i + 0.3}, 0.2, 7));
+  expect_covers_region(outlines);
+}
+
 }  // namespace
 }  // namespace sweepkit::sweep
