@@ -110,9 +110,11 @@ Section section_at(const Morph& morph, double t) {
   return section;
 }
 
-double reach_of(const Morph& morph) {
+double reach_of(const std::vector<Morph>& morphs) {
   double reach = 0;
-  for (const Section& key : morph.keys) reach = std::max(reach, reach_of(key));
+  for (const Morph& morph : morphs) {
+    for (const Section& key : morph.keys) reach = std::max(reach, reach_of(key));
+  }
   return reach;
 }
 

@@ -68,7 +68,7 @@ inline MorphPoint point_at(const Morph& morph, const KeyWeights& weights, std::s
 /// The whole section at t.
 Section section_at(const Morph& morph, double t);
 
-/// The farthest that any key's section lies from the trajectory.
-double reach_of(const Morph& morph);
+/// The farthest that any section of them lies from the trajectory.
+double reach_of(const std::vector<Morph>& morphs);
 
 }  // namespace sweepkit::sweep

@@ -114,6 +114,9 @@ OutlineSampler::OutlineSampler(const std::vector<Key>& keys, const SectionOption
   const Curve2& first = *keys.front().curve;
   if (is_one) {
     pieces_ = by == PiecesBy::kCorners ? smooth_pieces(first) : segment_pieces(first);
+    if (by == PiecesBy::kSegments) {
+      is_backward_ = is_drawn_backwards(first, place_stations(first, kCells), options.is_hole);
+    }
     return;
   }
 
@@ -170,7 +173,7 @@ OutlineSampler::OutlineSampler(const std::vector<Key>& keys, const SectionOption
       length = std::max(length,
                         walks_[k].curve().length() * (maps_[k].at(breaks_[i + 1]) - maps_[k].at(breaks_[i])));
     }
-    pieces_.push_back({i, i + 1, length});
+    pieces_.push_back({i, i + 1, length, by == PiecesBy::kSegments ? kLeastLooks : 1});
   }
 }
 
@@ -210,7 +213,12 @@ Morph OutlineSampler::sample(std::span<const int> cells) const {
   for (std::size_t i = 0; i < count; ++i) {
     const bool breaks =
         std::any_of(morph.keys.begin(), morph.keys.end(), [i](const Section& key) { return key.breaks[i]; });
-    for (Section& key : morph.keys) key.breaks[i] = breaks;
+    const bool is_corner =
+        std::any_of(morph.keys.begin(), morph.keys.end(), [i](const Section& key) { return key.corners[i]; });
+    for (Section& key : morph.keys) {
+      key.breaks[i] = breaks;
+      key.corners[i] = is_corner;
+    }
   }
   find_slopes(morph);
   return morph;

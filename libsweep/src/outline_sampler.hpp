@@ -31,6 +31,8 @@ class OutlineSampler {
   /// What is divided evenly: for several keys the pieces between the corners of all of them, as long as the
   /// longest of them there.
   std::span<const Piece> pieces() const { return pieces_; }
+  /// Is one key's contour walked against its drawing, so that its columns come in the pieces' reverse order?
+  bool is_backward() const { return is_backward_; }
   bool is_closed() const { return walks_.front().curve().is_closed(); }
   double length() const;
 
@@ -46,6 +48,7 @@ class OutlineSampler {
   std::vector<double> breaks_;   // ends of the pieces on the first key's walk, 0 to 1; of several keys
   std::vector<Piece> pieces_;
   SectionOptions options_;
+  bool is_backward_ = false;  // of one key
 };
 
 /// The outlines of a contour and of what it changes into.

@@ -34,6 +34,11 @@ struct Row {
   bool is_pole = false;  ///< the profile has shrunk the section to a point
 };
 
+/// Where a point of the section's plane lies.
+inline glm::dvec3 position_of(const Row& row, const glm::dvec2& p) {
+  return row.center + p.x * row.x_axis + p.y * row.y_axis;
+}
+
 /// A row for every station. A closed trajectory's last is its first, to the bit. Precondition: no corner of
 /// it turns right back (joints.hpp). Throws InputError where the profile is below 0, and where that of a
 /// closed trajectory does not end as it began.

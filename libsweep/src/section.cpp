@@ -117,6 +117,7 @@ Section make_section(const Curve2& contour, const std::vector<Station>& stations
     }
     section.points.push_back(point);
     section.breaks.push_back(breaks);
+    section.corners.push_back(station.is_corner);
   }
   // One place, the same bits.
   if (section.is_closed) section.points.back() = section.points.front();

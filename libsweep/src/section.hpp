@@ -22,6 +22,7 @@ struct SectionPoint {
 struct Section {
   std::vector<SectionPoint> points;
   std::vector<bool> breaks;       ///< does the normal break here?
+  std::vector<bool> corners;      ///< a corner of the contour, which is a vertex at any tessellation
   std::vector<double> fractions;  ///< 0 to 1, for the texture
   bool is_closed = false;
 };

@@ -66,7 +66,9 @@ std::vector<Piece> segment_pieces(const Curve<D>& curve) {
   std::vector<Piece> pieces;
   pieces.reserve(ends.size());
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    pieces.push_back({i, i + 1, ends[i] - (i == 0 ? 0 : ends[i - 1])});
+    const auto* bezier = std::get_if<BezierSegment<D>>(&curve.segments()[i]);
+    const bool is_straight = bezier != nullptr && bezier->control.size() == 2;
+    pieces.push_back({i, i + 1, ends[i] - (i == 0 ? 0 : ends[i - 1]), is_straight ? 1 : kLeastLooks});
   }
   return pieces;
 }

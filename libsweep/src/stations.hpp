@@ -37,7 +37,10 @@ struct Piece {
 template <int D>
 std::vector<Piece> smooth_pieces(const Curve<D>& curve, std::span<const int> least_cells = {});
 
-/// Every segment a piece.
+/// A piece that bends is looked at in no fewer cells than this: what looks straight in them is.
+inline constexpr int kLeastLooks = 16;
+
+/// Every segment a piece, a bent one of kLeastLooks cells at least.
 template <int D>
 std::vector<Piece> segment_pieces(const Curve<D>& curve);
 

@@ -2,35 +2,52 @@
 // SPDX-License-Identifier: MIT
 //
 // The way of a sweep: outlines are divided into columns (outline_sampler, morph), the trajectory's corners
-// are joined (joints) and it is divided into rows (stations, orientation, rows), every outline sweeps a wall
-// (wall), and the ends are capped (flat_cap, round_cap).
+// are joined (joints) and it is divided into rows (stations, orientation, rows, spine) - by counts, or finely
+// and then thinned out to a tolerance (dense_sweep, tolerance). Every outline sweeps a wall (wall), and the
+// ends are capped (flat_cap, round_cap).
 
 #include "sweepkit/sweep/sweep.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "dense_sweep.hpp"
 #include "flat_cap.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
 #include "joints.hpp"
 #include "number_text.hpp"
-#include "orientation.hpp"
 #include "outline_sampler.hpp"
 #include "round_cap.hpp"
-#include "rows.hpp"
 #include "section.hpp"
+#include "spine.hpp"
 #include "sweepkit/error.hpp"
+#include "tolerance.hpp"
 #include "wall.hpp"
 
 namespace sweepkit::sweep {
 namespace {
 
+// Ready to be written.
+struct Swept {
+  std::vector<Morph> morphs;  // an outline
+  std::vector<std::size_t> outer_of;
+  std::vector<std::size_t> closing_columns;
+  Spine spine;
+  std::optional<Grid> grid;  // that a tolerance has chosen
+};
+
 void check_options(std::span<const Curve2> contour, const SweepOptions& options) {
   check_cells(options.tessellation.contour, "contour");
   check_cells(options.tessellation.trajectory, "trajectory");
+  const std::optional<double> tolerance = options.tessellation.tolerance;
+  if (tolerance && !(*tolerance > 0 && std::isfinite(*tolerance))) {
+    throw InputError("tolerance needs to be above 0 m, got " + number_text(*tolerance));
+  }
   check_texture(options.uv);
   if (!(options.miter_limit >= 1)) {
     throw InputError("miter_limit needs to be 1 or more, got " + number_text(options.miter_limit));
@@ -41,82 +58,69 @@ void check_options(std::span<const Curve2> contour, const SweepOptions& options)
   }
 }
 
-std::vector<bool> row_breaks(const std::vector<Row>& rows, const SweepOptions& options) {
-  // At 180 degrees nothing breaks.
-  const double crease_cos = crease_cosine(options.joints == Joints::kSmooth ? 180 : options.crease_deg);
-  std::vector<bool> breaks;
-  breaks.reserve(rows.size());
-  for (const Row& row : rows) {
-    breaks.push_back(row.is_pole ||
-                     (row.is_corner && glm::dot(row.in.frame.tangent, row.out.frame.tangent) < crease_cos));
-  }
-  return breaks;
-}
-
-double reach_of(const std::vector<Morph>& morphs) {
-  double reach = 0;
-  for (const Morph& morph : morphs) reach = std::max(reach, reach_of(morph));
-  return reach;
-}
-
-// Turned by a whole turn / this, every outline covers itself.
-int symmetry_of(const std::vector<Morph>& morphs) {
-  int symmetry = 0;
-  for (const Morph& morph : morphs) {
-    // What changes on the way is not looked into.
-    symmetry = std::gcd(symmetry, morph.changes() ? 1 : symmetry_of(morph.keys.front()));
-  }
-  return symmetry;
-}
-
-void check_morphs_close(const std::vector<Morph>& morphs) {
-  for (const Morph& morph : morphs) {
-    if (!morph.changes()) continue;
-    const Section last = section_at(morph, 1);
-    const Section& first = morph.keys.front();
-    for (std::size_t i = 0; i < first.points.size(); ++i) {
-      // A millionth is what float32 would not show.
-      if (glm::length(last.points[i].position - first.points[i].position) > 1e-6 * reach_of(first)) {
-        throw InputError(
-            "morph ends in another contour than it began with, but the trajectory is closed; end it with the "
-            "contour itself at t = 1");
-      }
-    }
-  }
-}
-
-std::size_t closing_columns(const Morph& morph, int symmetry, int closing_steps, bool is_hole) {
-  const auto columns = static_cast<int>(morph.columns());
-  // A hole's columns run the other way round.
-  const int steps = ((is_hole ? -closing_steps : closing_steps) % symmetry + symmetry) % symmetry;
-  return static_cast<std::size_t>(columns / symmetry * steps);
-}
-
-Spine make_spine(const Curve3& trajectory, const std::vector<Station>& stations,
-                 const std::vector<StationFrames>& frames, const SweepOptions& options) {
-  Spine spine;
-  spine.rows = make_rows(trajectory, stations, frames, options.profile);
-  spine.breaks = row_breaks(spine.rows, options);
-  spine.poles.resize(spine.rows.size());
-  std::transform(spine.rows.begin(), spine.rows.end(), spine.poles.begin(),
-                 [](const Row& row) { return row.is_pole; });
-  spine.shares = texture_fractions(stations, UvBy::kArcLength);
-  spine.v = texture_fractions(stations, options.uv.by);
-  spine.runs = split_runs(spine.breaks);
-  spine.length = trajectory.length();
-  spine.is_closed = trajectory.is_closed();
-  return spine;
-}
-
-glm::dvec3 middle_of(const Spine& spine, double reach) {
-  glm::dvec3 low = spine.rows.front().center;
-  glm::dvec3 high = low;
+// The box about everything swept.
+struct Box {
+  glm::dvec3 low, high;
+};
+Box box_of(const Spine& spine, double reach) {
+  Box box{spine.rows.front().center, spine.rows.front().center};
   for (const Row& row : spine.rows) {
     const double size = reach * std::max(glm::length(row.x_axis), glm::length(row.y_axis));
-    low = glm::min(low, row.center - size);
-    high = glm::max(high, row.center + size);
+    box.low = glm::min(box.low, row.center - size);
+    box.high = glm::max(box.high, row.center + size);
   }
-  return choose_origin(low, high);
+  return box;
+}
+
+// How far float32 positions may lie from where they ought to: half a unit in the last place of each
+// coordinate.
+double float_error(const Box& box) {
+  const glm::dvec3 origin = choose_origin(box.low, box.high);
+  const glm::dvec3 reach = glm::max(glm::abs(box.low - origin), glm::abs(box.high - origin));
+  return std::exp2(-24) * glm::length(reach);
+}
+
+// Divided by counts.
+Swept sweep_by_counts(std::span<const Curve2> contour, const Curve3& given, const SweepOptions& options) {
+  const ContourSamplers samplers = make_samplers(contour, options.morph, options.crease_deg, options.uv.by,
+                                                 OutlineSampler::PiecesBy::kCorners);
+  Swept swept;
+  swept.outer_of = samplers.outer_of;
+  swept.morphs = sample(samplers, options.tessellation.contour);
+  const auto [trajectory, least_cells] = join_corners(given, swept.morphs, options);
+  const std::vector<Station> stations =
+      place_stations(trajectory, options.tessellation.trajectory, least_cells);
+  swept.spine = make_spine(trajectory, stations, swept.morphs, options);
+  for (std::size_t i = 0; i < swept.morphs.size(); ++i) {
+    swept.closing_columns.push_back(closing_columns(swept.morphs[i], swept.spine, swept.outer_of[i] != i));
+  }
+  return swept;
+}
+
+// Divided far too finely, and thinned out to a tolerance.
+Swept sweep_to_tolerance(std::span<const Curve2> contour, const Curve3& given, const SweepOptions& options,
+                         double tolerance) {
+  const ContourSamplers samplers = make_samplers(contour, options.morph, options.crease_deg, options.uv.by,
+                                                 OutlineSampler::PiecesBy::kSegments);
+  const DenseSweep dense = make_dense_sweep(samplers, given, options, tolerance);
+  Swept swept;
+  swept.outer_of = samplers.outer_of;
+  const double error = float_error(box_of(dense.spine, reach_of(dense.morphs)));
+  if (!(2 * error <= tolerance)) {
+    throw InputError("tolerance of " + number_text(tolerance) +
+                     " m is finer than float32 positions of an object so large; ask for at least " +
+                     number_text(2 * error) + " m");
+  }
+  swept.grid = fit_grid(dense, tolerance - error);
+  swept.grid->deviation += error;
+  swept.spine = kept_rows(dense.spine, swept.grid->rows);
+  for (std::size_t i = 0; i < dense.morphs.size(); ++i) {
+    const std::vector<std::size_t>& columns = swept.grid->columns[i];
+    swept.morphs.push_back(kept_columns(dense.morphs[i], columns));
+    const auto home = std::lower_bound(columns.begin(), columns.end(), dense.closing_columns[i]);
+    swept.closing_columns.push_back(static_cast<std::size_t>(home - columns.begin()));
+  }
+  return swept;
 }
 
 // A section that the profile has shrunk to a point or pressed flat is closed without a cap.
@@ -124,61 +128,54 @@ bool needs_cap(const Row& row) {
   return glm::length(row.x_axis) > 0 && glm::length(row.y_axis) > 0;
 }
 
-void add_cap(Mesh& mesh, const std::vector<Morph>& morphs, const std::vector<std::size_t>& outer_of,
-             const Spine& spine, End end, const SweepOptions& options) {
+// Rows of a dome: as many cells as over a quarter of the contour and enough to look round, or within the
+// tolerance: a circle's arc of n cells to the quarter is off by r (1 - cos(45 degrees / n)).
+std::uint32_t dome_rows(const Swept& swept, const Row& row, const SweepOptions& options) {
+  if (!options.tessellation.tolerance) {
+    return static_cast<std::uint32_t>(std::max<std::size_t>(4, (swept.morphs.front().columns() + 3) / 4));
+  }
+  const double radius = reach_of(swept.morphs) * std::max(glm::length(row.x_axis), glm::length(row.y_axis));
+  // The columns take half of the tolerance at most where the rows are to take the other half.
+  const double half = std::clamp(0.5 * *options.tessellation.tolerance / radius, 1e-10, 0.5);
+  return static_cast<std::uint32_t>(std::ceil(std::numbers::pi / 4 / std::acos(1 - half)));
+}
+
+void add_cap(Mesh& mesh, const Swept& swept, End end, const SweepOptions& options) {
   const bool is_first = end == End::kFirst;
-  const Row& row = is_first ? spine.rows.front() : spine.rows.back();
+  const Row& row = is_first ? swept.spine.rows.front() : swept.spine.rows.back();
   if (!needs_cap(row)) return;
   std::vector<Section> sections;
-  sections.reserve(morphs.size());
-  for (const Morph& morph : morphs) sections.push_back(section_at(morph, is_first ? 0 : 1));
+  sections.reserve(swept.morphs.size());
+  for (const Morph& morph : swept.morphs) sections.push_back(section_at(morph, is_first ? 0 : 1));
   if (options.caps == Caps::kRound) {
-    // As many cells over the dome as over a quarter of the contour, and enough to look round.
-    const auto cells =
-        static_cast<std::uint32_t>(std::max<std::size_t>(4, (morphs.front().columns() + 3) / 4));
-    add_round_cap(mesh, sections.front(), row, end, cells, options.uv);
+    add_round_cap(mesh, sections.front(), row, end, dome_rows(swept, row, options), options.uv);
     return;
   }
   // Seen from outside the first cap shows the contour mirrored.
   const glm::dvec3 outwards = is_first ? -row.out.frame.tangent : row.in.frame.tangent;
-  add_flat_caps(mesh, sections, outer_of, {row.center, row.x_axis, row.y_axis, outwards}, is_first);
+  add_flat_caps(mesh, sections, swept.outer_of, {row.center, row.x_axis, row.y_axis, outwards}, is_first);
 }
 
 }  // namespace
 
-Mesh sweep(std::span<const Curve2> contour, const Curve3& given_trajectory, const SweepOptions& options) {
+Mesh sweep(std::span<const Curve2> contour, const Curve3& trajectory, const SweepOptions& options) {
   check_options(contour, options);
-  const ContourSamplers samplers = make_samplers(contour, options.morph, options.crease_deg, options.uv.by,
-                                                 OutlineSampler::PiecesBy::kCorners);
-  std::vector<Morph> morphs = sample(samplers, options.tessellation.contour);
-  const double reach = reach_of(morphs);
-  const auto [trajectory, least_cells] =
-      join_corners(given_trajectory, options.joints, options.miter_limit, [&](double length) {
-        const double t = length / given_trajectory.length();
-        return reach * std::max(options.profile.x.at(t).value, options.profile.y.at(t).value);
-      });
-  const std::vector<Station> stations =
-      place_stations(trajectory, options.tessellation.trajectory, least_cells);
-  if (trajectory.is_closed()) {
-    check_loop(stations.size() - 1, "trajectory");
-    check_morphs_close(morphs);
-  }
-  const int symmetry = trajectory.is_closed() ? symmetry_of(morphs) : 1;
-  const Oriented oriented = orient(trajectory, stations, options.orientation, options.twist_deg, symmetry);
-  const Spine spine = make_spine(trajectory, stations, oriented.frames, options);
-
+  const std::optional<double> tolerance = options.tessellation.tolerance;
+  const Swept swept = tolerance ? sweep_to_tolerance(contour, trajectory, options, *tolerance)
+                                : sweep_by_counts(contour, trajectory, options);
   Mesh mesh;
-  mesh.origin = middle_of(spine, reach);
-  for (std::size_t i = 0; i < morphs.size(); ++i) {
-    const bool is_hole = samplers.outer_of[i] != i;
-    const Wall wall{morphs[i], split_runs(morphs[i].keys.front().breaks),
-                    closing_columns(morphs[i], symmetry, oriented.closing_steps, is_hole)};
-    add_wall(mesh, wall, spine, options.uv);
+  const Box box = box_of(swept.spine, reach_of(swept.morphs));
+  mesh.origin = choose_origin(box.low, box.high);
+  for (std::size_t i = 0; i < swept.morphs.size(); ++i) {
+    const Wall wall{swept.morphs[i], split_runs(swept.morphs[i].keys.front().breaks),
+                    swept.closing_columns[i]};
+    add_wall(mesh, wall, swept.spine, options.uv);
   }
   if (options.caps != Caps::kNone && contour.front().is_closed() && !trajectory.is_closed()) {
-    add_cap(mesh, morphs, samplers.outer_of, spine, End::kFirst, options);
-    add_cap(mesh, morphs, samplers.outer_of, spine, End::kLast, options);
+    add_cap(mesh, swept, End::kFirst, options);
+    add_cap(mesh, swept, End::kLast, options);
   }
+  if (swept.grid) mesh.deviation = swept.grid->deviation;
   if (options.has_half_edges) write_half_edges(mesh);
   return mesh;
 }

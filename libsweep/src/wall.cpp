@@ -71,10 +71,6 @@ void write_vertices(Mesh& mesh, std::uint32_t first, const Wall& wall, const Spi
 
 }  // namespace
 
-glm::dvec3 position_of(const Row& row, const glm::dvec2& p) {
-  return row.center + p.x * row.x_axis + p.y * row.y_axis;
-}
-
 void add_wall(Mesh& mesh, const Wall& wall, const Spine& spine, const UvOptions& uv) {
   const auto first = static_cast<std::uint32_t>(mesh.n_vertices());
   const glm::dvec2 period(wall.morph.keys.front().is_closed ? uv.repeat.x : 0,

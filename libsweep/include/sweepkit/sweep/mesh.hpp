@@ -4,6 +4,7 @@
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,8 @@ class Mesh : public OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
   std::vector<GridPatch> patches;  ///< in order of their triangles; caps belong to none
   std::vector<Area> areas;         ///< in order; together all triangles
   glm::dvec3 origin{0.0};
+  /// Where a tolerance was asked for: the largest distance measured between the surface and the mesh, metres.
+  std::optional<double> deviation;
 
   /// Spans over OpenMesh's own storage, valid until the number of vertices changes.
   std::span<const glm::vec3> positions() const;

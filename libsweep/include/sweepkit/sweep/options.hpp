@@ -21,6 +21,9 @@ enum class Caps {
 struct Tessellation {
   int contour = 64;     ///< cells along the contour, 1 to kMaxCells
   int trajectory = 64;  ///< cells along the trajectory; for revolve round the turn
+  /// Metres. Where it is given it decides instead of the counts: the surface is no farther from the mesh than
+  /// this anywhere, with few triangles where it is straight.
+  std::optional<double> tolerance;
 };
 
 /// More cells a side than this are refused: with 2 x 32768^2 triangles 32-bit indices are near their end.

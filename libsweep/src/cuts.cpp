@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "cuts.hpp"
+
+#include <algorithm>
+
+namespace sweepkit::sweep {
+namespace {
+
+std::vector<std::size_t> cut_greedily(std::size_t first, std::size_t last, const ChordError& error,
+                                      double bound) {
+  std::vector<std::size_t> cuts = {first};
+  std::size_t stride = 1;  // the last cell's is a good guess for the next
+  while (cuts.back() < last) {
+    const std::size_t from = cuts.back();
+    const auto fits = [&](std::size_t to) { return to == from + 1 || error(from, to) <= bound; };
+    // The farthest end that fits lies in [low, high).
+    std::size_t low = from + 1;
+    std::size_t high = last + 1;
+    for (std::size_t step = stride; from + step <= last; step *= 2) {
+      if (!fits(from + step)) {
+        high = from + step;
+        break;
+      }
+      low = from + step;
+    }
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      (fits(middle) ? low : high) = middle;
+    }
+    stride = low - from;
+    cuts.push_back(low);
+  }
+  return cuts;
+}
+
+}  // namespace
+
+std::vector<std::size_t> cut(std::size_t first, std::size_t last, std::size_t least, const ChordError& error,
+                             double bound) {
+  std::vector<std::size_t> cuts = cut_greedily(first, last, error, bound);
+  if (cuts.size() - 1 < least) {
+    const std::size_t cells = std::min(least, last - first);
+    cuts.resize(cells + 1);
+    for (std::size_t i = 0; i <= cells; ++i) cuts[i] = first + (last - first) * i / cells;
+  }
+  return cuts;
+}
+
+}  // namespace sweepkit::sweep

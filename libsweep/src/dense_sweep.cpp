@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "dense_sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "number_text.hpp"
+#include "section.hpp"
+#include "stations.hpp"
+#include "sweepkit/error.hpp"
+
+namespace sweepkit::sweep {
+namespace {
+
+// A chord over two cells is off by four times as much as one over one: looked at in pairs, the cells are
+// finer than asked for.
+constexpr double kDenseShare = 1.0 / 32;
+// Finer than this nothing is divided: some 16 times what a mesh may have along a side.
+constexpr std::size_t kMostDense = std::size_t{1} << 19;
+// A loop whose section comes home turned has its columns repeat so often round the contour at most: of a
+// circle's symmetry no more is made use of, or no column could be left out.
+constexpr int kMostRepeats = 12;
+// Directions whose extreme columns are looked at.
+constexpr int kDirections = 12;
+
+[[noreturn]] void refuse(const char* what, double tolerance) {
+  throw InputError("tolerance of " + number_text(tolerance) + " m would need too many cells along the " +
+                   what + "; ask for a larger one");
+}
+
+// Doubles the cells of every piece in which `bend(first, cells)` - the largest error of a chord over two
+// cells from station `first` on - is too large. False where none is.
+template <class Bend>
+bool refine(std::vector<int>& cells, double bound, const Bend& bend) {
+  bool is_refined = false;
+  std::size_t first = 0;
+  for (int& count : cells) {
+    const auto piece_cells = static_cast<std::size_t>(count);
+    if (piece_cells > 1 && bend(first, piece_cells) > bound) {
+      count *= 2;
+      is_refined = true;
+    }
+    first += piece_cells;
+  }
+  return is_refined;
+}
+
+std::size_t total(const std::vector<int>& cells) {
+  std::size_t sum = 0;
+  for (const int count : cells) sum += static_cast<std::size_t>(count);
+  return sum;
+}
+
+std::vector<int> least_cells(std::span<const Piece> pieces) {
+  std::vector<int> cells;
+  cells.reserve(pieces.size());
+  for (const Piece& piece : pieces) cells.push_back(piece.least_cells);
+  return cells;
+}
+
+// `size`: the largest that the profile makes the contour.
+Morph sample_densely(const OutlineSampler& outline, double size, double tolerance) {
+  std::vector<int> cells = least_cells(outline.pieces());
+  for (;;) {
+    Morph morph = outline.sample(cells);
+    const bool is_fine =
+        !refine(cells, kDenseShare * tolerance / size, [&](std::size_t first, std::size_t count) {
+          // A contour walked backwards has its pieces the other way round.
+          double worst = 0;
+          for (const Section& key : morph.keys) {
+            const std::size_t from = outline.is_backward() ? morph.columns() - first - count : first;
+            for (std::size_t i = from + 1; i < from + count; ++i) {
+              const auto at = [&](std::size_t k) { return glm::dvec3(key.points[k].position, 0); };
+              worst = std::max(worst, distance_to_segment(at(i), at(i - 1), at(i + 1)));
+            }
+          }
+          return worst;
+        });
+    if (is_fine) return morph;
+    if (total(cells) > kMostDense) refuse("contour", tolerance);
+  }
+}
+
+double largest(const Law& law) {
+  // A law has no more turns than its points; 1,024 looks miss none that a profile shows.
+  double value = 0;
+  for (int i = 0; i <= 1024; ++i) value = std::max(value, law.at(i / 1024.0).value);
+  return value;
+}
+
+bool is_without_turn(const SweepOptions& options) {
+  return options.twist_deg.is_constant() && !options.orientation.guide &&
+         options.orientation.frames == Frames::kRotationMinimizing;
+}
+
+// Does the section of a straight stretch change?
+bool changes_on_the_way(const Curve3& trajectory, const SweepOptions& options) {
+  return trajectory.is_closed() || !is_without_turn(options) || !options.morph.empty() ||
+         !options.profile.x.is_constant() || !options.profile.y.is_constant();
+}
+
+// What follows from a dense sweep's spine.
+void place_rows(DenseSweep& dense, std::span<const std::size_t> outer_of) {
+  dense.weights.clear();
+  dense.closing_columns.clear();
+  dense.repeat_columns.clear();
+  for (std::size_t i = 0; i < dense.morphs.size(); ++i) {
+    const Morph& morph = dense.morphs[i];
+    dense.weights.emplace_back();
+    for (std::size_t j = 0; morph.changes() && j < dense.spine.shares.size(); ++j) {
+      dense.weights.back().push_back(key_weights(morph, dense.spine.shares[j]));
+    }
+    dense.closing_columns.push_back(closing_columns(morph, dense.spine, outer_of[i] != i));
+    dense.repeat_columns.push_back(morph.columns() / static_cast<std::size_t>(dense.spine.symmetry));
+  }
+}
+
+}  // namespace
+
+std::vector<ColumnPlace> extreme_columns(const std::vector<Morph>& morphs) {
+  std::vector<ColumnPlace> extreme;
+  for (int k = 0; k < kDirections; ++k) {
+    const double a = 2 * std::numbers::pi * k / kDirections;
+    const glm::dvec2 direction(std::cos(a), std::sin(a));
+    double farthest = -std::numeric_limits<double>::infinity();
+    ColumnPlace place{};
+    for (std::size_t o = 0; o < morphs.size(); ++o) {
+      for (const Section& key : morphs[o].keys) {
+        for (std::size_t i = 0; i < key.points.size(); ++i) {
+          const double along = glm::dot(key.points[i].position, direction);
+          if (along > farthest) {
+            farthest = along;
+            place = {o, i};
+          }
+        }
+      }
+    }
+    const bool is_known = std::any_of(extreme.begin(), extreme.end(), [&](const ColumnPlace& other) {
+      return other.outline == place.outline && other.column == place.column;
+    });
+    if (!is_known) extreme.push_back(place);
+  }
+  return extreme;
+}
+
+double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 way = b - a;
+  const double length_squared = glm::dot(way, way);
+  const double t = length_squared > 0 ? std::clamp(glm::dot(p - a, way) / length_squared, 0.0, 1.0) : 0;
+  return glm::length(p - (a + t * way));
+}
+
+JoinedTrajectory join_corners(const Curve3& trajectory, const std::vector<Morph>& morphs,
+                              const SweepOptions& options) {
+  const double reach = reach_of(morphs);
+  return join_corners(trajectory, options.joints, options.miter_limit, [&](double length) {
+    const double t = length / trajectory.length();
+    return reach * std::max(options.profile.x.at(t).value, options.profile.y.at(t).value);
+  });
+}
+
+glm::dvec3 DenseSweep::position(const ColumnPlace& place, std::size_t row) const {
+  const Morph& morph = morphs[place.outline];
+  const std::size_t closing = row + 1 == spine.rows.size() ? closing_columns[place.outline] : 0;
+  const std::size_t column = closing > 0 ? (place.column + closing) % morph.columns() : place.column;
+  if (!morph.changes()) return position_of(spine.rows[row], morph.keys.front().points[column].position);
+  return position_of(spine.rows[row], point_at(morph, weights[place.outline][row], column, true).position);
+}
+
+DenseSweep make_dense_sweep(const ContourSamplers& samplers, const Curve3& given, const SweepOptions& options,
+                            double tolerance) {
+  DenseSweep dense;
+  const double size = std::max(largest(options.profile.x), largest(options.profile.y));
+  for (const OutlineSampler& outline : samplers.outlines) {
+    dense.morphs.push_back(sample_densely(outline, size, tolerance));
+  }
+  const std::vector<ColumnPlace> extreme = extreme_columns(dense.morphs);
+  const Curve3 trajectory = join_corners(given, dense.morphs, options).curve;
+  const std::vector<Piece> pieces = segment_pieces(trajectory);
+  std::vector<int> cells = least_cells(pieces);
+  if (changes_on_the_way(trajectory, options)) {
+    for (int& count : cells) count = std::max(count, kLeastLooks);
+  }
+  for (;;) {
+    if (total(cells) > kMostDense) refuse("trajectory", tolerance);
+    dense.spine = make_spine(trajectory, place_stations<3>(trajectory, pieces, cells), dense.morphs, options,
+                             kMostRepeats);
+    place_rows(dense, samplers.outer_of);
+    const bool is_fine = !refine(cells, kDenseShare * tolerance, [&](std::size_t first, std::size_t count) {
+      double worst = 0;
+      for (const ColumnPlace& place : extreme) {
+        glm::dvec3 before = dense.position(place, first);
+        glm::dvec3 here = dense.position(place, first + 1);
+        for (std::size_t j = first + 1; j < first + count; ++j) {
+          const glm::dvec3 after = dense.position(place, j + 1);
+          worst = std::max(worst, distance_to_segment(here, before, after));
+          before = here;
+          here = after;
+        }
+      }
+      return worst;
+    });
+    if (is_fine) return dense;
+  }
+}
+
+}  // namespace sweepkit::sweep

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "dense_sweep.hpp"
+#include "morph.hpp"
+#include "spine.hpp"
+
+namespace sweepkit::sweep {
+
+/// Columns (an outline) and rows of a dense sweep that are kept.
+struct Grid {
+  std::vector<std::vector<std::size_t>> columns;
+  std::vector<std::size_t> rows;
+  double deviation = 0;  ///< the largest distance found between the dense surface and the grid's triangles
+};
+
+/// The grid of fewest triangles, nearly, that is within `tolerance` of the dense surface everywhere. Keeps
+/// the ends, every corner and every pole.
+Grid fit_grid(const DenseSweep& dense, double tolerance);
+
+/// What a grid keeps of it.
+Morph kept_columns(const Morph& morph, std::span<const std::size_t> columns);
+Spine kept_rows(const Spine& spine, std::span<const std::size_t> rows);
+
+}  // namespace sweepkit::sweep
