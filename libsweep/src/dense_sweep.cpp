@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "distance.hpp"
 #include "number_text.hpp"
 #include "section.hpp"
 #include "stations.hpp"
@@ -16,13 +17,13 @@ namespace sweepkit::sweep {
 namespace {
 
 // A chord over two cells is off by four times as much as one over one: looked at in pairs, the cells are
-// finer than asked for.
-constexpr double kDenseShare = 1.0 / 32;
+// finer than asked for. Every step of density makes them four times as many.
+constexpr double kDensityStep = 1.0 / 16;
 // Finer than this nothing is divided: some 16 times what a mesh may have along a side.
 constexpr std::size_t kMostDense = std::size_t{1} << 19;
-// A loop whose section comes home turned has its columns repeat so often round the contour at most: of a
-// circle's symmetry no more is made use of, or no column could be left out.
-constexpr int kMostRepeats = 12;
+// A loop's contour that covers itself when turned is divided alike in so many parts at most, and comes home
+// turned by one of them. Of a circle's symmetry no more is made use of, or no column could be left out.
+constexpr int kMostPeriods = 12;
 // Directions whose extreme columns are looked at.
 constexpr int kDirections = 12;
 
@@ -54,31 +55,33 @@ std::size_t total(const std::vector<int>& cells) {
   return sum;
 }
 
-std::vector<int> least_cells(std::span<const Piece> pieces) {
+// `straight` of a straight piece; fewer where there are so many pieces that each is short.
+std::vector<int> least_cells(std::span<const Piece> pieces, int straight) {
+  const auto share = static_cast<int>(std::clamp<std::size_t>(kMostDense / 4 / pieces.size(), 1, 1024));
   std::vector<int> cells;
   cells.reserve(pieces.size());
-  for (const Piece& piece : pieces) cells.push_back(piece.least_cells);
+  for (const Piece& piece : pieces) cells.push_back(std::max(piece.least_cells, std::min(share, straight)));
   return cells;
 }
 
-// `size`: the largest that the profile makes the contour.
-Morph sample_densely(const OutlineSampler& outline, double size, double tolerance) {
-  std::vector<int> cells = least_cells(outline.pieces());
+// Chords of it are within `bound`; `tolerance` is what a message names.
+Morph sample_outline(const OutlineSampler& outline, double bound, double tolerance, int straight) {
+  std::vector<int> cells = least_cells(outline.pieces(), straight);
   for (;;) {
+    outline.make_periods_equal(cells);
     Morph morph = outline.sample(cells);
-    const bool is_fine =
-        !refine(cells, kDenseShare * tolerance / size, [&](std::size_t first, std::size_t count) {
-          // A contour walked backwards has its pieces the other way round.
-          double worst = 0;
-          for (const Section& key : morph.keys) {
-            const std::size_t from = outline.is_backward() ? morph.columns() - first - count : first;
-            for (std::size_t i = from + 1; i < from + count; ++i) {
-              const auto at = [&](std::size_t k) { return glm::dvec3(key.points[k].position, 0); };
-              worst = std::max(worst, distance_to_segment(at(i), at(i - 1), at(i + 1)));
-            }
-          }
-          return worst;
-        });
+    const bool is_fine = !refine(cells, bound, [&](std::size_t first, std::size_t count) {
+      // A contour walked backwards has its pieces the other way round.
+      double worst = 0;
+      for (const Section& key : morph.keys) {
+        const std::size_t from = outline.is_backward() ? morph.columns() - first - count : first;
+        for (std::size_t i = from + 1; i < from + count; ++i) {
+          const auto at = [&](std::size_t k) { return glm::dvec3(key.points[k].position, 0); };
+          worst = std::max(worst, distance_to_segment(at(i), at(i - 1), at(i + 1)));
+        }
+      }
+      return worst;
+    });
     if (is_fine) return morph;
     if (total(cells) > kMostDense) refuse("contour", tolerance);
   }
@@ -103,7 +106,7 @@ bool changes_on_the_way(const Curve3& trajectory, const SweepOptions& options) {
 }
 
 // What follows from a dense sweep's spine.
-void place_rows(DenseSweep& dense, std::span<const std::size_t> outer_of) {
+void place_rows(DenseSweep& dense) {
   dense.weights.clear();
   dense.closing_columns.clear();
   dense.repeat_columns.clear();
@@ -113,12 +116,26 @@ void place_rows(DenseSweep& dense, std::span<const std::size_t> outer_of) {
     for (std::size_t j = 0; morph.changes() && j < dense.spine.shares.size(); ++j) {
       dense.weights.back().push_back(key_weights(morph, dense.spine.shares[j]));
     }
-    dense.closing_columns.push_back(closing_columns(morph, dense.spine, outer_of[i] != i));
+    dense.closing_columns.push_back(closing_columns(morph, dense.spine, dense.outer_of[i] != i));
     dense.repeat_columns.push_back(morph.columns() / static_cast<std::size_t>(dense.spine.symmetry));
   }
 }
 
 }  // namespace
+
+std::vector<Morph> sample_densely(const ContourSamplers& samplers, double bound, double tolerance,
+                                  int straight) {
+  std::vector<Morph> morphs;
+  morphs.reserve(samplers.outlines.size());
+  for (const OutlineSampler& outline : samplers.outlines) {
+    morphs.push_back(sample_outline(outline, bound, tolerance, straight));
+  }
+  return morphs;
+}
+
+void make_periodic(ContourSamplers& samplers) {
+  for (OutlineSampler& outline : samplers.outlines) outline.make_periodic(kMostPeriods);
+}
 
 std::vector<ColumnPlace> extreme_columns(const std::vector<Morph>& morphs) {
   std::vector<ColumnPlace> extreme;
@@ -146,13 +163,6 @@ std::vector<ColumnPlace> extreme_columns(const std::vector<Morph>& morphs) {
   return extreme;
 }
 
-double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 way = b - a;
-  const double length_squared = glm::dot(way, way);
-  const double t = length_squared > 0 ? std::clamp(glm::dot(p - a, way) / length_squared, 0.0, 1.0) : 0;
-  return glm::length(p - (a + t * way));
-}
-
 JoinedTrajectory join_corners(const Curve3& trajectory, const std::vector<Morph>& morphs,
                               const SweepOptions& options) {
   const double reach = reach_of(morphs);
@@ -171,25 +181,25 @@ glm::dvec3 DenseSweep::position(const ColumnPlace& place, std::size_t row) const
 }
 
 DenseSweep make_dense_sweep(const ContourSamplers& samplers, const Curve3& given, const SweepOptions& options,
-                            double tolerance) {
+                            double tolerance, int density) {
   DenseSweep dense;
+  dense.outer_of = samplers.outer_of;
   const double size = std::max(largest(options.profile.x), largest(options.profile.y));
-  for (const OutlineSampler& outline : samplers.outlines) {
-    dense.morphs.push_back(sample_densely(outline, size, tolerance));
-  }
+  const double bound = kDenseShare * tolerance * std::pow(kDensityStep, density);
+  // Inside too: the cells are twisted where the section turns or changes.
+  const int straight = kLeastLooks << (2 * density);
+  dense.morphs = sample_densely(samplers, bound / size, tolerance, straight);
   const std::vector<ColumnPlace> extreme = extreme_columns(dense.morphs);
   const Curve3 trajectory = join_corners(given, dense.morphs, options).curve;
   const std::vector<Piece> pieces = segment_pieces(trajectory);
-  std::vector<int> cells = least_cells(pieces);
-  if (changes_on_the_way(trajectory, options)) {
-    for (int& count : cells) count = std::max(count, kLeastLooks);
-  }
+  dense.changes = changes_on_the_way(trajectory, options);
+  std::vector<int> cells = least_cells(pieces, dense.changes ? straight : 1);
   for (;;) {
     if (total(cells) > kMostDense) refuse("trajectory", tolerance);
     dense.spine = make_spine(trajectory, place_stations<3>(trajectory, pieces, cells), dense.morphs, options,
-                             kMostRepeats);
-    place_rows(dense, samplers.outer_of);
-    const bool is_fine = !refine(cells, kDenseShare * tolerance, [&](std::size_t first, std::size_t count) {
+                             kMostPeriods);
+    place_rows(dense);
+    const bool is_fine = !refine(cells, bound, [&](std::size_t first, std::size_t count) {
       double worst = 0;
       for (const ColumnPlace& place : extreme) {
         glm::dvec3 before = dense.position(place, first);

@@ -21,8 +21,10 @@ struct ColumnPlace {
 
 /// A sweep divided far more finely than it is to be: what a grid is chosen from and measured against.
 struct DenseSweep {
-  std::vector<Morph> morphs;  ///< an outline
+  std::vector<std::size_t> outer_of;  ///< as nest_outlines() says
+  std::vector<Morph> morphs;          ///< an outline
   Spine spine;
+  bool changes = false;                          ///< the section turns, grows or changes along the trajectory
   std::vector<std::vector<KeyWeights>> weights;  ///< an outline, a row; of outlines that change
   /// A closed trajectory comes home turned by so many columns, an outline; then what is chosen of them is to
   /// repeat after `repeat_columns`, so that it comes home to itself.
@@ -32,16 +34,26 @@ struct DenseSweep {
   glm::dvec3 position(const ColumnPlace& place, std::size_t row) const;
 };
 
-/// Divides contour and trajectory so that chords between neighbours are nearer to the surface than a 32nd of
-/// `tolerance`. Throws InputError where that would take too many cells, and as its parts do.
+/// How near chords of a dense sweep are to its surface, as a share of the tolerance.
+inline constexpr double kDenseShare = 1.0 / 64;
+
+/// Every outline divided so that chords over two cells are within `bound` of it, a straight piece in
+/// `straight` cells. Throws InputError, which names `tolerance`, where that would take too many columns.
+std::vector<Morph> sample_densely(const ContourSamplers& samplers, double bound, double tolerance,
+                                  int straight);
+
+/// Lets the columns of contours that cover themselves when turned repeat: for a closed trajectory, at whose
+/// end the section comes home to one of those turns.
+void make_periodic(ContourSamplers& samplers);
+
+/// Divides contour and trajectory so that chords over two cells are within kDenseShare of `tolerance`; a
+/// `density` above 0 makes cells 4 times as many in both, again and again. Throws InputError where that would
+/// take too many cells, and as its parts do.
 DenseSweep make_dense_sweep(const ContourSamplers& samplers, const Curve3& trajectory,
-                            const SweepOptions& options, double tolerance);
+                            const SweepOptions& options, double tolerance, int density);
 
 /// The columns that lie farthest out in directions all round.
 std::vector<ColumnPlace> extreme_columns(const std::vector<Morph>& morphs);
-
-/// The distance of a point from a segment.
-double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b);
 
 /// `trajectory` with its corners joined for what the contour reaches there.
 JoinedTrajectory join_corners(const Curve3& trajectory, const std::vector<Morph>& morphs,

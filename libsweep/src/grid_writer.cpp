@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "grid_writer.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 
@@ -82,17 +80,6 @@ std::uint32_t add_vertices(Mesh& mesh, std::size_t count) {
   const auto first = static_cast<std::uint32_t>(mesh.n_vertices());
   mesh.resize(first + count, mesh.n_edges(), mesh.n_faces());
   return first;
-}
-
-glm::dvec3 choose_origin(const glm::dvec3& low, const glm::dvec3& high) {
-  const glm::dvec3 size = high - low;
-  const double extent = std::max({size.x, size.y, size.z});
-  if (!(extent > 0) || !std::isfinite(extent)) return glm::dvec3(0.0);
-  const double step = std::exp2(std::ceil(std::log2(extent)));
-  const glm::dvec3 middle = 0.5 * (low + high);
-  // Adding 0 turns -0 into 0.
-  return {step * std::nearbyint(middle.x / step) + 0.0, step * std::nearbyint(middle.y / step) + 0.0,
-          step * std::nearbyint(middle.z / step) + 0.0};
 }
 
 }  // namespace sweepkit::sweep

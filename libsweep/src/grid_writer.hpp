@@ -48,9 +48,4 @@ void for_each_wall_vertex(std::uint32_t first_vertex, const std::vector<Run>& co
 /// Room for more vertices behind those the mesh has; the edges are left alone. Returns the first new vertex.
 std::uint32_t add_vertices(Mesh& mesh, std::size_t count);
 
-/// The origin for a mesh with this bounding box: its middle, rounded to a multiple of a power of two about as
-/// large as the box, so that it is exactly 0 for whatever lies about the world's origin and never costs the
-/// positions a bit.
-glm::dvec3 choose_origin(const glm::dvec3& low, const glm::dvec3& high);
-
 }  // namespace sweepkit::sweep

@@ -10,6 +10,7 @@
 #include "nesting.hpp"
 #include "number_text.hpp"
 #include "sweepkit/error.hpp"
+#include "symmetry.hpp"
 
 namespace sweepkit::sweep {
 namespace {
@@ -173,7 +174,7 @@ OutlineSampler::OutlineSampler(const std::vector<Key>& keys, const SectionOption
       length = std::max(length,
                         walks_[k].curve().length() * (maps_[k].at(breaks_[i + 1]) - maps_[k].at(breaks_[i])));
     }
-    pieces_.push_back({i, i + 1, length, by == PiecesBy::kSegments ? kLeastLooks : 1});
+    pieces_.push_back({i, 0, length, by == PiecesBy::kSegments ? kLeastLooks : 1});
   }
 }
 
@@ -181,6 +182,48 @@ double OutlineSampler::length() const {
   double length = 0;
   for (const Piece& piece : pieces_) length += piece.length;
   return length;
+}
+
+void OutlineSampler::make_periodic(int most) {
+  if (walks_.size() > 1 || !is_closed()) return;
+  const Curve2& curve = walks_.front().curve();
+  periods_ = symmetry_of(curve, most);
+  if (periods_ == 1) return;
+  const double period = curve.length() / periods_;
+  // Joints that repeat but for rounding are one.
+  const double same = 1e-9 * curve.length();
+  std::vector<double> offsets;
+  offsets.reserve(pieces_.size());
+  for (const Piece& piece : pieces_) {
+    const double offset = std::fmod(piece.start, period);
+    offsets.push_back(offset > period - same ? 0 : offset);
+  }
+  std::sort(offsets.begin(), offsets.end());
+  offsets.erase(
+      std::unique(offsets.begin(), offsets.end(), [&](double a, double b) { return b - a <= same; }),
+      offsets.end());
+  std::vector<Piece> pieces;
+  pieces.reserve(offsets.size() * static_cast<std::size_t>(periods_));
+  auto joint = pieces_.begin();
+  for (int k = 0; k < periods_; ++k) {
+    for (const double offset : offsets) {
+      double start = k * period + offset;
+      while (std::next(joint) != pieces_.end() && std::next(joint)->start <= start + same) ++joint;
+      if (std::abs(joint->start - start) <= same) start = joint->start;
+      if (!pieces.empty()) pieces.back().length = start - pieces.back().start;
+      pieces.push_back({joint->first, start, curve.length() - start, joint->least_cells});
+    }
+  }
+  pieces_ = std::move(pieces);
+}
+
+void OutlineSampler::make_periods_equal(std::vector<int>& cells) const {
+  const std::size_t period = cells.size() / static_cast<std::size_t>(periods_);
+  for (std::size_t i = 0; i < period; ++i) {
+    int most = 0;
+    for (std::size_t k = i; k < cells.size(); k += period) most = std::max(most, cells[k]);
+    for (std::size_t k = i; k < cells.size(); k += period) cells[k] = most;
+  }
 }
 
 Morph OutlineSampler::sample(std::span<const int> cells) const {

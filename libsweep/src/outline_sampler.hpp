@@ -38,6 +38,12 @@ class OutlineSampler {
 
   Morph sample(std::span<const int> cells) const;
 
+  /// Cuts the pieces so that they repeat n times, n at most `most` the turns of a circle that bring the
+  /// outline onto itself. One that changes has none.
+  void make_periodic(int most);
+  /// Gives pieces that repeat the cells of the one with most.
+  void make_periods_equal(std::vector<int>& cells) const;
+
  private:
   Morph sample_one(std::span<const int> cells) const;
   std::vector<double> places(std::span<const int> cells) const;
@@ -49,6 +55,7 @@ class OutlineSampler {
   std::vector<Piece> pieces_;
   SectionOptions options_;
   bool is_backward_ = false;  // of one key
+  int periods_ = 1;
 };
 
 /// The outlines of a contour and of what it changes into.

@@ -10,11 +10,14 @@
 #include <cmath>
 #include <string>
 
+#include "dense_sweep.hpp"
 #include "flat_cap.hpp"
+#include "float_positions.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
 #include "number_text.hpp"
 #include "outline_sampler.hpp"
+#include "revolve_tolerance.hpp"
 #include "section.hpp"
 #include "sweepkit/error.hpp"
 #include "whole_angle.hpp"
@@ -25,19 +28,25 @@ namespace {
 // A radius below this share of the contour's size was meant to be 0: it is what rounding leaves of it.
 constexpr double kOnAxis = 1e-12;
 
-void snap_to_axis(Section& section, double size) {
-  for (SectionPoint& point : section.points) {
-    if (std::abs(point.position.x) <= kOnAxis * size) point.position.x = 0;
-    if (point.position.x < 0) {
-      throw InputError("contour crosses the axis: x is " + number_text(point.position.x) + " m at height " +
-                       number_text(point.position.y) + " m; keep x, the distance from it, at 0 or above");
-    }
+void snap_to_axis(std::vector<Section>& sections) {
+  double size = 0;
+  for (const Section& section : sections) {
+    for (const SectionPoint& point : section.points) size = std::max(size, std::abs(point.position.x));
   }
-  const bool is_on_axis = std::all_of(section.points.begin(), section.points.end(),
-                                      [](const SectionPoint& point) { return point.position.x == 0; });
-  if (is_on_axis) {
-    throw InputError("contour has all its " + std::to_string(section.points.size()) +
-                     " vertices on the axis; move it away from x = 0 or give it more cells");
+  for (Section& section : sections) {
+    bool is_on_axis = true;
+    for (SectionPoint& point : section.points) {
+      if (std::abs(point.position.x) <= kOnAxis * size) point.position.x = 0;
+      is_on_axis = is_on_axis && point.position.x == 0;
+      if (point.position.x < 0) {
+        throw InputError("contour crosses the axis: x is " + number_text(point.position.x) + " m at height " +
+                         number_text(point.position.y) + " m; keep x, the distance from it, at 0 or above");
+      }
+    }
+    if (is_on_axis) {
+      throw InputError("contour has all its " + std::to_string(section.points.size()) +
+                       " vertices on the axis; move it away from x = 0 or give it more cells");
+    }
   }
 }
 
@@ -55,8 +64,7 @@ struct Turn {
   bool is_whole;
 };
 
-Turn make_turn(const RevolveOptions& options) {
-  const int columns = options.tessellation.trajectory;
+Turn make_turn(const RevolveOptions& options, int columns) {
   Turn turn{{}, {}, options.angle_deg == 360};
   for (int i = 0; i <= columns; ++i) {
     turn.at.push_back(turn.is_whole  ? cos_sin_turn(i, columns)
@@ -67,7 +75,7 @@ Turn make_turn(const RevolveOptions& options) {
   return turn;
 }
 
-glm::dvec3 middle_of(const std::vector<Section>& sections) {
+Box box_of(const std::vector<Section>& sections) {
   double radius = 0;
   double low = sections.front().points.front().position.y;
   double high = low;
@@ -78,7 +86,7 @@ glm::dvec3 middle_of(const std::vector<Section>& sections) {
       high = std::max(high, point.position.y);
     }
   }
-  return choose_origin({-radius, low, -radius}, {radius, high, radius});
+  return {{-radius, low, -radius}, {radius, high, radius}};
 }
 
 void add_wall(Mesh& mesh, const Section& section, const Turn& turn, const UvOptions& uv) {
@@ -109,36 +117,53 @@ void add_wall(Mesh& mesh, const Section& section, const Turn& turn, const UvOpti
       });
 }
 
-}  // namespace
-
-Mesh revolve(std::span<const Curve2> contour, const RevolveOptions& options) {
+void check_options(const RevolveOptions& options) {
   check_cells(options.tessellation.contour, "contour");
   check_cells(options.tessellation.trajectory, "turn");
+  check_tolerance(options.tessellation.tolerance);
   if (!(options.angle_deg > 0 && options.angle_deg <= 360)) {
     throw InputError("angle_deg needs to be above 0 and at most 360, got " + number_text(options.angle_deg));
   }
-  if (options.caps == Caps::kRound) throw InputError("caps of a turned contour are flat or none, not round");
-  const Turn turn = make_turn(options);
-  if (turn.is_whole) check_loop(turn.at.size() - 1, "the whole turn");
-  check_texture(options.uv);
-  const ContourSamplers samplers =
-      make_samplers(contour, {}, options.crease_deg, options.uv.by, OutlineSampler::PiecesBy::kCorners);
-  std::vector<Section> sections;
-  double radius = 0;
-  for (Morph& morph : sample(samplers, options.tessellation.contour)) {
-    sections.push_back(std::move(morph.keys.front()));
-    for (const SectionPoint& point : sections.back().points)
-      radius = std::max(radius, std::abs(point.position.x));
+  if (options.angle_deg == 360) {
+    check_loop(static_cast<std::size_t>(options.tessellation.trajectory), "the whole turn");
   }
-  for (Section& section : sections) snap_to_axis(section, radius);
+  if (options.caps == Caps::kRound) throw InputError("caps of a turned contour are flat or none, not round");
+  check_texture(options.uv);
+}
+
+}  // namespace
+
+Mesh revolve(std::span<const Curve2> contour, const RevolveOptions& options) {
+  check_options(options);
+  const std::optional<double> tolerance = options.tessellation.tolerance;
+  using PiecesBy = OutlineSampler::PiecesBy;
+  const ContourSamplers samplers = make_samplers(contour, {}, options.crease_deg, options.uv.by,
+                                                 tolerance ? PiecesBy::kSegments : PiecesBy::kCorners);
+  std::vector<Section> sections;
+  for (Morph& morph : tolerance ? sample_densely(samplers, kDenseShare * *tolerance, *tolerance, 1)
+                                : sample(samplers, options.tessellation.contour)) {
+    sections.push_back(std::move(morph.keys.front()));
+  }
+  snap_to_axis(sections);
+  const Box box = box_of(sections);
+  int columns = options.tessellation.trajectory;
+  std::optional<double> deviation;
+  if (tolerance) {
+    TurnedGrid grid = fit_turned_grid(sections, options.angle_deg, tolerance_left(*tolerance, box));
+    sections = std::move(grid.sections);
+    columns = grid.columns;
+    deviation = grid.deviation + float_error(box);
+  }
+  const Turn turn = make_turn(options, columns);
 
   Mesh mesh;
-  mesh.origin = middle_of(sections);
+  mesh.origin = choose_origin(box);
   for (const Section& section : sections) add_wall(mesh, section, turn, options.uv);
   if (options.caps == Caps::kFlat && sections.front().is_closed && !turn.is_whole) {
     add_flat_caps(mesh, sections, samplers.outer_of, half_plane(0, true), false);
     add_flat_caps(mesh, sections, samplers.outer_of, half_plane(options.angle_deg, false), true);
   }
+  mesh.deviation = deviation;
   if (options.has_half_edges) write_half_edges(mesh);
   return mesh;
 }

@@ -49,31 +49,6 @@ double reach_of(const Section& section) {
   return reach;
 }
 
-int symmetry_of(const Section& section) {
-  if (!section.is_closed) return 1;
-  // Vertices this near to each other, as a share of the section's size, are the same: arcs and hand-typed
-  // coordinates are less exact than double, and float32 shows no less.
-  constexpr double kSame = 1e-7;
-  const auto count = static_cast<int>(section.points.size()) - 1;
-  const double reach = reach_of(section);
-  const auto is_onto_itself = [&](int turns) {
-    const auto [c, s] = cos_sin_turn(1, turns);
-    for (int i = 0; i < count; ++i) {
-      const auto from = static_cast<std::size_t>(i);
-      const auto to = static_cast<std::size_t>((i + count / turns) % count);
-      const glm::dvec2 p = section.points[from].position;
-      const glm::dvec2 turned(c * p.x - s * p.y, s * p.x + c * p.y);
-      if (glm::length(section.points[to].position - turned) > kSame * reach) return false;
-      if (section.breaks[to] != section.breaks[from]) return false;
-    }
-    return true;
-  };
-  for (int turns = count; turns > 1; --turns) {
-    if (count % turns == 0 && is_onto_itself(turns)) return turns;
-  }
-  return 1;
-}
-
 std::vector<glm::dvec2> outline_of(const Section& section) {
   std::vector<glm::dvec2> outline(section.points.size() - 1);
   for (std::size_t i = 0; i < outline.size(); ++i) outline[i] = section.points[i].position;

@@ -45,10 +45,6 @@ Section make_section(const Curve2& contour, const std::vector<Station>& stations
 /// counter-clockwise? Throws as make_section() does.
 bool is_drawn_backwards(const Curve2& contour, const std::vector<Station>& stations, bool is_hole);
 
-/// The largest number of turns in a circle that bring a closed section onto itself, vertex by vertex: k turns
-/// of a k-th of a circle, each moving every vertex on by points / k places. 1 for one without symmetry.
-int symmetry_of(const Section& section);
-
 /// The positions of a closed section, each once.
 std::vector<glm::dvec2> outline_of(const Section& section);
 

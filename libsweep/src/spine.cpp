@@ -8,6 +8,7 @@
 #include "orientation.hpp"
 #include "section.hpp"
 #include "sweepkit/error.hpp"
+#include "symmetry.hpp"
 
 namespace sweepkit::sweep {
 namespace {

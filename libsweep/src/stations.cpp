@@ -54,7 +54,7 @@ std::vector<Piece> smooth_pieces(const Curve<D>& curve, std::span<const int> lea
   for (std::size_t i = 1; i <= ends.size(); ++i) {
     if (i < ends.size() && !curve.is_corner(i) && least(i) == 1 && least(i - 1) == 1) continue;
     const double start = first == 0 ? 0 : ends[first - 1];
-    pieces.push_back({first, i, ends[i - 1] - start, least(i - 1)});
+    pieces.push_back({first, start, ends[i - 1] - start, least(i - 1)});
     first = i;
   }
   return pieces;
@@ -68,7 +68,8 @@ std::vector<Piece> segment_pieces(const Curve<D>& curve) {
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const auto* bezier = std::get_if<BezierSegment<D>>(&curve.segments()[i]);
     const bool is_straight = bezier != nullptr && bezier->control.size() == 2;
-    pieces.push_back({i, i + 1, ends[i] - (i == 0 ? 0 : ends[i - 1]), is_straight ? 1 : kLeastLooks});
+    const double start = i == 0 ? 0 : ends[i - 1];
+    pieces.push_back({i, start, ends[i] - start, is_straight ? 1 : kLeastLooks});
   }
   return pieces;
 }
@@ -83,12 +84,12 @@ std::vector<Station> place_stations(const Curve<D>& curve, std::span<const Piece
   };
   std::vector<Station> stations;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const auto [first, end, length, least] = pieces[k];
-    const double start = first == 0 ? 0 : ends[first - 1];
+    const auto [first, start, length, least] = pieces[k];
+    const bool is_at_joint = start == (first == 0 ? 0 : ends[first - 1]);
     for (int cell = 0; cell < cells[k]; ++cell) {
       Station station;
       station.length = start + length * cell / cells[k];
-      if (cell == 0) {
+      if (cell == 0 && is_at_joint) {
         station.out = {first, 0};
         station.in = first > 0           ? CurveLocation{first - 1, 1}
                      : curve.is_closed() ? CurveLocation{segments - 1, 1}
@@ -113,6 +114,12 @@ template <int D>
 std::vector<Station> place_stations(const Curve<D>& curve, int cells, std::span<const int> least_cells) {
   const std::vector<Piece> pieces = smooth_pieces(curve, least_cells);
   return place_stations<D>(curve, pieces, share_cells(pieces, cells));
+}
+
+void check_tolerance(std::optional<double> tolerance) {
+  if (tolerance && !(*tolerance > 0 && std::isfinite(*tolerance))) {
+    throw InputError("tolerance needs to be above 0 m, got " + number_text(*tolerance));
+  }
 }
 
 void check_loop(std::size_t cells, const char* what) {

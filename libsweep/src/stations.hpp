@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,10 +25,10 @@ struct Station {
 /// whose cells are longest at the time. No other share leaves the longest cell shorter.
 std::vector<int> share_cells(const std::vector<double>& lengths, std::vector<int> least, int cells);
 
-/// Segments of a curve that are divided together.
+/// A stretch of a curve that is divided evenly.
 struct Piece {
-  std::size_t first;
-  std::size_t end;  ///< one past the last
+  std::size_t first;  ///< the segment it begins in
+  double start;       ///< from the curve's start
   double length;
   int least_cells = 1;
 };
@@ -64,6 +65,9 @@ std::vector<Station> reversed(const Curve<D>& curve, std::vector<Station> statio
 
 /// 0 to 1 along the stations, by arc length or by parameter.
 std::vector<double> texture_fractions(const std::vector<Station>& stations, UvBy by);
+
+/// Throws InputError for a tolerance that is not above 0 and finite.
+void check_tolerance(std::optional<double> tolerance);
 
 /// Throws InputError where a loop has fewer cells than a triangle has sides. `what` names it ("contour").
 void check_loop(std::size_t cells, const char* what);

@@ -17,7 +17,7 @@
 
 #include "dense_sweep.hpp"
 #include "flat_cap.hpp"
-#include "grid_writer.hpp"
+#include "float_positions.hpp"
 #include "half_edges.hpp"
 #include "joints.hpp"
 #include "number_text.hpp"
@@ -32,6 +32,9 @@
 namespace sweepkit::sweep {
 namespace {
 
+// Of a dense sweep, each 4 times as many rows and columns.
+constexpr int kMostDensity = 3;
+
 // Ready to be written.
 struct Swept {
   std::vector<Morph> morphs;  // an outline
@@ -44,10 +47,7 @@ struct Swept {
 void check_options(std::span<const Curve2> contour, const SweepOptions& options) {
   check_cells(options.tessellation.contour, "contour");
   check_cells(options.tessellation.trajectory, "trajectory");
-  const std::optional<double> tolerance = options.tessellation.tolerance;
-  if (tolerance && !(*tolerance > 0 && std::isfinite(*tolerance))) {
-    throw InputError("tolerance needs to be above 0 m, got " + number_text(*tolerance));
-  }
+  check_tolerance(options.tessellation.tolerance);
   check_texture(options.uv);
   if (!(options.miter_limit >= 1)) {
     throw InputError("miter_limit needs to be 1 or more, got " + number_text(options.miter_limit));
@@ -58,10 +58,7 @@ void check_options(std::span<const Curve2> contour, const SweepOptions& options)
   }
 }
 
-// The box about everything swept.
-struct Box {
-  glm::dvec3 low, high;
-};
+// About everything swept.
 Box box_of(const Spine& spine, double reach) {
   Box box{spine.rows.front().center, spine.rows.front().center};
   for (const Row& row : spine.rows) {
@@ -70,14 +67,6 @@ Box box_of(const Spine& spine, double reach) {
     box.high = glm::max(box.high, row.center + size);
   }
   return box;
-}
-
-// How far float32 positions may lie from where they ought to: half a unit in the last place of each
-// coordinate.
-double float_error(const Box& box) {
-  const glm::dvec3 origin = choose_origin(box.low, box.high);
-  const glm::dvec3 reach = glm::max(glm::abs(box.low - origin), glm::abs(box.high - origin));
-  return std::exp2(-24) * glm::length(reach);
 }
 
 // Divided by counts.
@@ -100,19 +89,26 @@ Swept sweep_by_counts(std::span<const Curve2> contour, const Curve3& given, cons
 // Divided far too finely, and thinned out to a tolerance.
 Swept sweep_to_tolerance(std::span<const Curve2> contour, const Curve3& given, const SweepOptions& options,
                          double tolerance) {
-  const ContourSamplers samplers = make_samplers(contour, options.morph, options.crease_deg, options.uv.by,
-                                                 OutlineSampler::PiecesBy::kSegments);
-  const DenseSweep dense = make_dense_sweep(samplers, given, options, tolerance);
+  ContourSamplers samplers = make_samplers(contour, options.morph, options.crease_deg, options.uv.by,
+                                           OutlineSampler::PiecesBy::kSegments);
+  if (given.is_closed()) make_periodic(samplers);
+  DenseSweep dense = make_dense_sweep(samplers, given, options, tolerance, 0);
+  const Box box = box_of(dense.spine, reach_of(dense.morphs));
+  const double left = tolerance_left(tolerance, box);
   Swept swept;
-  swept.outer_of = samplers.outer_of;
-  const double error = float_error(box_of(dense.spine, reach_of(dense.morphs)));
-  if (!(2 * error <= tolerance)) {
-    throw InputError("tolerance of " + number_text(tolerance) +
-                     " m is finer than float32 positions of an object so large; ask for at least " +
-                     number_text(2 * error) + " m");
+  swept.outer_of = dense.outer_of;
+  swept.grid = fit_grid(dense, left);
+  // Cells that twist may be as small as those of the dense sweep: then it is too coarse to tell.
+  for (int density = 1; !is_well_measured(dense, *swept.grid, left) && density <= kMostDensity; ++density) {
+    dense = make_dense_sweep(samplers, given, options, tolerance, density);
+    swept.grid = fit_grid(dense, left);
   }
-  swept.grid = fit_grid(dense, tolerance - error);
-  swept.grid->deviation += error;
+  if (swept.grid->deviation > left) {
+    throw InputError("tolerance of " + number_text(tolerance) +
+                     " m is not reached with the most cells there may be, " +
+                     number_text(swept.grid->deviation) + " m is; ask for a larger one");
+  }
+  swept.grid->deviation += float_error(box);
   swept.spine = kept_rows(dense.spine, swept.grid->rows);
   for (std::size_t i = 0; i < dense.morphs.size(); ++i) {
     const std::vector<std::size_t>& columns = swept.grid->columns[i];
@@ -164,8 +160,7 @@ Mesh sweep(std::span<const Curve2> contour, const Curve3& trajectory, const Swee
   const Swept swept = tolerance ? sweep_to_tolerance(contour, trajectory, options, *tolerance)
                                 : sweep_by_counts(contour, trajectory, options);
   Mesh mesh;
-  const Box box = box_of(swept.spine, reach_of(swept.morphs));
-  mesh.origin = choose_origin(box.low, box.high);
+  mesh.origin = choose_origin(box_of(swept.spine, reach_of(swept.morphs)));
   for (std::size_t i = 0; i < swept.morphs.size(); ++i) {
     const Wall wall{swept.morphs[i], split_runs(swept.morphs[i].keys.front().breaks),
                     swept.closing_columns[i]};

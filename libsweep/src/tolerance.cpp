@@ -1,25 +1,26 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// A grid of columns and rows, as coarse as a tolerance allows. Both are cut into chords (cuts.cpp) for a row
-// of bounds, so that of every number of cells the least error is known: c along the contour, r along the
-// trajectory. What a cell's triangles miss is f (c + r), f about 1 where the surface bends the same way in
-// both, less where it is a saddle, more where it is twisted. f is measured, the two numbers are chosen whose
-// product is least while f (c + r) fits, and that is repeated with the f it has; in the end all cells are
-// measured.
+// A grid of columns and rows, as coarse as a tolerance allows. The contour takes a share of the tolerance:
+// its columns are the fewest whose chords are within that (cuts.cpp). Then the rows are the fewest between
+// which no cell of those columns misses the surface by more than the tolerance. Shares are tried until the
+// cells become more again. Where the section turns or changes, columns are tried narrower too than their bend
+// asks for. In the end all cells are measured.
 //
-// Along the trajectory only the extreme columns are looked at: with t fixed a point of the surface is linear
-// in the section's (x, y), so its distance from a chord is convex in them and largest at a corner of the
-// convex hull.
+// Between rows the extreme columns are looked at: with t fixed a point of the surface is linear in the
+// section's (x, y), so its distance from a chord is convex in them and largest at a corner of the convex
+// hull. What cells miss beyond that, by bending both ways or by being twisted, some of them tell.
 
 #include "tolerance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <span>
 
 #include "cuts.hpp"
+#include "distance.hpp"
 
 namespace sweepkit::sweep {
 namespace {
@@ -28,46 +29,55 @@ namespace {
 constexpr std::size_t kMorphRows = 17;
 // The share of a tolerance that is left to what lies between the samples.
 constexpr double kSampleMargin = 1.0 / 64;
-// Bounds from the tolerance down to this share, so many to an octave.
-constexpr int kOctaves = 5;
-constexpr int kBoundsAnOctave = 8;
-// Cells measured while numbers are chosen; all of them in the end.
-constexpr std::size_t kCellsSearched = 2000;
-// Of so many cells each is so small that the middles of its sides and diagonal tell.
+// Shares of the tolerance that the contour takes, so many to an octave; no further when so many in turn are
+// worse.
+constexpr int kShares = 48;
+constexpr int kSharesAnOctave = 8;
+constexpr int kWorseShares = 5;
+constexpr int kMostHalvings = 6;
+// Cells of a row that are looked at while rows are chosen; all of them in the end.
+constexpr std::size_t kCellsEvenly = 16;
+constexpr std::size_t kCellsWidest = 8;
+// A cell's sides are looked at in so many parts, the worst cells' again in more: the margin is what 8 would
+// miss of a parabola. A cell of very many is so small that the middles of its sides and diagonal are its
+// worst places.
+constexpr std::size_t kParts = 4;
+constexpr std::size_t kPartsOfMany = 2;
 constexpr std::size_t kManyCells = 200000;
+constexpr std::size_t kPartsOfWorst = 16;
+constexpr std::size_t kWorstCells = 300;
 
-double distance_to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                            const glm::dvec3& c) {
-  const glm::dvec3 n = glm::cross(b - a, c - a);
-  const double n_squared = glm::dot(n, n);
-  const glm::dvec3 w = p - a;
-  if (n_squared > 0) {
-    const double at_c = glm::dot(glm::cross(b - a, w), n) / n_squared;
-    const double at_b = glm::dot(glm::cross(w, c - a), n) / n_squared;
-    if (at_b >= 0 && at_c >= 0 && at_b + at_c <= 1) return std::abs(glm::dot(w, n)) / std::sqrt(n_squared);
-  }
-  return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
-}
-
-// Places evenly between two, the first included.
-void add_parts(std::size_t from, std::size_t to, std::size_t parts, std::vector<std::size_t>& places) {
-  for (std::size_t part = 0; part < parts; ++part) {
-    const std::size_t place = from + (to - from) * part / parts;
-    if (part == 0 || place > places.back()) places.push_back(place);
+// Places evenly by length between two, the first included.
+void add_parts(std::span<const double> lengths, std::size_t from, std::size_t to, std::size_t parts,
+               std::vector<std::size_t>& places) {
+  const auto at = [&](std::size_t place) { return lengths.begin() + static_cast<std::ptrdiff_t>(place); };
+  places.push_back(from);
+  for (std::size_t part = 1; part < parts && places.back() + 1 < to; ++part) {
+    const double share = static_cast<double>(part) / static_cast<double>(parts);
+    const double length = lengths[from] + (lengths[to] - lengths[from]) * share;
+    const auto after = std::upper_bound(at(places.back() + 1), at(to - 1), length);
+    auto place = static_cast<std::size_t>(after - lengths.begin());
+    if (place > places.back() + 1 && length - lengths[place - 1] < lengths[place] - length) --place;
+    places.push_back(place);
   }
 }
 
-// Columns (an outline) or rows cut to a bound, and the error that leaves.
-struct Cut {
-  std::vector<std::vector<std::size_t>> places;
-  double error = 0;
-
-  std::size_t cells() const {
-    std::size_t sum = 0;
-    for (const std::vector<std::size_t>& outline : places) sum += outline.size() - 1;
-    return sum;
+// How far along the polygon of its points each is.
+std::vector<double> chord_lengths(const Section& section) {
+  std::vector<double> lengths = {0};
+  for (std::size_t i = 1; i < section.points.size(); ++i) {
+    lengths.push_back(lengths.back() +
+                      glm::length(section.points[i].position - section.points[i - 1].position));
   }
-};
+  return lengths;
+}
+
+std::size_t cells_of(const Grid& grid) {
+  std::size_t cells = 0;
+  for (const std::vector<std::size_t>& columns : grid.columns)
+    cells += (columns.size() - 1) * (grid.rows.size() - 1);
+  return cells;
+}
 
 class GridFitter {
  public:
@@ -78,50 +88,66 @@ class GridFitter {
       along_.push_back(std::move(line));
     }
     sample_extreme_rows();
+    for (const Morph& morph : dense_.morphs) lengths_.push_back(chord_lengths(morph.keys.front()));
   }
 
   Grid fit(double tolerance) const {
     const double bound = tolerance * (1 - kSampleMargin);
-    const std::vector<Cut> columns = all_cuts(bound, [&](double b) { return cut_columns(b); });
-    const std::vector<Cut> rows = all_cuts(bound, [&](double b) { return cut_rows(b); });
-    double factor = 1;
-    std::optional<Grid> best;
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    // f settles after a few rounds; each that fits is one to be taken.
-    for (int round = 0; round < 10; ++round) {
-      const auto [c, r] = cheapest(columns, rows, bound / factor);
-      Grid grid{columns[c].places, rows[r].places.front()};
-      const std::size_t cells = columns[c].cells() * rows[r].cells();
-      grid.deviation = measure(grid, 1 + cells / kCellsSearched);
-      if (grid.deviation <= bound) {
-        const bool is_better = cells < least;
-        if (is_better) {
-          best = grid;
-          least = cells;
-        }
-        // Nearly reached, or no better: there is nothing more in it.
-        if (!is_better || grid.deviation > 0.98 * bound) break;
-      }
-      const double error = columns[c].error + rows[r].error;
-      if (!(error > 0)) break;
-      const double measured = grid.deviation / error;
-      // Towards what is measured, and past it where that has been tried.
-      factor = std::clamp(measured, factor / 4, factor * 4) * (grid.deviation > bound ? 1.01 : 1);
+    Grid best = fit_columns(bound, std::numeric_limits<double>::infinity());
+    if (!dense_.changes) return best;
+    // What a twisted cell misses grows with its width, however straight its sides are: narrower columns may
+    // need so many rows less that it pays.
+    double width = widest_column(best);
+    for (int halved = 0; halved < kMostHalvings; ++halved) {
+      width /= 2;
+      Grid narrower = fit_columns(bound, width);
+      if (best.deviation <= bound && !(narrower.deviation <= bound && cells_of(narrower) < cells_of(best)))
+        break;
+      best = std::move(narrower);
     }
-    if (!best) best = Grid{columns.back().places, rows.back().places.front()};
-    best->deviation = measure(*best, 1);
-    // The search has measured some of the cells; what all of them show may ask for a little less.
-    double scale = 1;
-    while (best->deviation > bound && scale > 1e-3) {
-      scale *= std::clamp(0.97 * bound / best->deviation, 0.5, 0.97);
-      const auto [c, r] = cheapest(columns, rows, scale * bound / factor);
-      best = Grid{columns[c].places, rows[r].places.front()};
-      best->deviation = measure(*best, 1);
-    }
-    return *best;
+    return best;
   }
 
  private:
+  Grid fit_columns(double bound, double width) const {
+    Grid best;
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    int worse = 0;
+    std::vector<std::vector<std::size_t>> before;
+    for (int k = 0; k <= kShares && worse < kWorseShares; ++k) {
+      const double share = std::exp2(-static_cast<double>(k) / kSharesAnOctave);
+      Grid grid{cut_columns(share * bound, width)};
+      if (grid.columns == before) continue;
+      before = grid.columns;
+      grid.rows = cut_rows(grid.columns, bound);
+      ++worse;
+      if (cells_of(grid) < least) {
+        least = cells_of(grid);
+        best = std::move(grid);
+        worse = 0;
+      }
+    }
+    best.deviation = measure_all(best);
+    // Some of the cells chose the rows; what all of them show may ask for a little less.
+    double row_bound = bound;
+    while (best.deviation > bound && row_bound > 1e-3 * bound) {
+      row_bound *= std::clamp(0.97 * bound / best.deviation, 0.5, 0.97);
+      best.rows = cut_rows(best.columns, row_bound);
+      best.deviation = measure_all(best);
+    }
+    return best;
+  }
+
+  double widest_column(const Grid& grid) const {
+    double widest = 0;
+    for (std::size_t o = 0; o < grid.columns.size(); ++o) {
+      const std::vector<std::size_t>& columns = grid.columns[o];
+      for (std::size_t i = 0; i + 1 < columns.size(); ++i)
+        widest = std::max(widest, lengths_[o][columns[i + 1]] - lengths_[o][columns[i]]);
+    }
+    return widest;
+  }
+
   void sample_extreme_rows() {
     const std::vector<Row>& rows = dense_.spine.rows;
     std::vector<std::size_t> extreme;
@@ -169,19 +195,11 @@ class GridFitter {
     return error;
   }
 
-  static double largest_error(const std::vector<std::vector<glm::dvec3>>& lines,
-                              const std::vector<std::size_t>& cuts) {
-    double error = 0;
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-      error = std::max(error, chord_error(lines, cuts[i], cuts[i + 1]));
-    return error;
-  }
-
   static void append_cuts(std::vector<std::size_t>& all, const std::vector<std::size_t>& cuts) {
     all.insert(all.end(), cuts.begin() + (all.empty() ? 0 : 1), cuts.end());
   }
 
-  std::vector<std::size_t> cut_outline(std::size_t outline, double bound) const {
+  std::vector<std::size_t> cut_outline(std::size_t outline, double bound, double width) const {
     const Section& section = dense_.morphs[outline].keys.front();
     const std::size_t last = section.points.size() - 1;
     const std::size_t end = dense_.closing_columns[outline] > 0 ? dense_.repeat_columns[outline] : last;
@@ -199,6 +217,7 @@ class GridFitter {
     for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
       append_cuts(columns, cut(fixed[k], fixed[k + 1], least, error, bound));
     }
+    narrow(columns, lengths_[outline], width);
     const std::size_t period = columns.size();
     for (std::size_t turned = end; turned < last; turned += end) {
       for (std::size_t i = 1; i < period; ++i) columns.push_back(turned + columns[i]);
@@ -206,14 +225,81 @@ class GridFitter {
     return columns;
   }
 
-  Cut cut_rows(double bound) const {
+  // A cell of a row of cells, and places in it from one side to the other.
+  struct CellColumns {
+    std::size_t outline;
+    std::vector<std::size_t> columns;
+  };
+
+  // Cells spread evenly over those of all outlines, and the widest.
+  std::vector<CellColumns> cells_to_look_at(const std::vector<std::vector<std::size_t>>& columns) const {
+    struct Candidate {
+      double width;
+      std::size_t outline, cell;
+    };
+    std::vector<Candidate> all;
+    for (std::size_t o = 0; o < columns.size(); ++o) {
+      for (std::size_t i = 0; i + 1 < columns[o].size(); ++i)
+        all.push_back({lengths_[o][columns[o][i + 1]] - lengths_[o][columns[o][i]], o, i});
+    }
+    std::vector<Candidate> chosen;
+    const std::size_t stride = (all.size() + kCellsEvenly - 1) / kCellsEvenly;
+    for (std::size_t k = 0; k < all.size(); k += stride) chosen.push_back(all[k]);
+    if (stride > 1) {
+      const std::size_t widest = std::min(kCellsWidest, all.size());
+      std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(widest), all.end(),
+                        [](const Candidate& a, const Candidate& b) { return a.width > b.width; });
+      chosen.insert(chosen.end(), all.begin(), all.begin() + static_cast<std::ptrdiff_t>(widest));
+    }
+    std::vector<CellColumns> cells;
+    cells.reserve(chosen.size());
+    for (const Candidate& candidate : chosen) {
+      const std::vector<std::size_t>& outline = columns[candidate.outline];
+      CellColumns cell{candidate.outline, {}};
+      add_parts(lengths_[cell.outline], outline[candidate.cell], outline[candidate.cell + 1], kParts,
+                cell.columns);
+      cell.columns.push_back(outline[candidate.cell + 1]);
+      cells.push_back(std::move(cell));
+    }
+    return cells;
+  }
+
+  // By how much some cells between two rows miss the surface; where that is above `bound`, a number above it.
+  double cell_error(const std::vector<CellColumns>& cells, std::size_t first, std::size_t last,
+                    double bound) const {
+    double error = chord_error(along_, first, last);
+    std::vector<std::size_t> rows;
+    add_parts(dense_.spine.shares, first, last, kParts, rows);
+    for (const CellColumns& cell : cells) {
+      if (error > bound) break;
+      const auto point = [&](std::size_t column, std::size_t row) {
+        return dense_.position({cell.outline, column}, row);
+      };
+      const glm::dvec3 p = point(cell.columns.front(), first);
+      const glm::dvec3 q = point(cell.columns.back(), first);
+      const glm::dvec3 r = point(cell.columns.front(), last);
+      const glm::dvec3 s = point(cell.columns.back(), last);
+      for (const std::size_t row : rows) {
+        for (const std::size_t column : cell.columns) {
+          const glm::dvec3 here = point(column, row);
+          error = std::max(
+              error, std::min(distance_to_triangle(here, r, p, q), distance_to_triangle(here, q, s, r)));
+        }
+      }
+    }
+    return error;
+  }
+
+  std::vector<std::size_t> cut_rows(const std::vector<std::vector<std::size_t>>& columns,
+                                    double bound) const {
     const std::vector<Row>& rows = dense_.spine.rows;
     std::vector<std::size_t> fixed = {0};
     for (std::size_t j = 1; j + 1 < rows.size(); ++j) {
       if (rows[j].is_corner || rows[j].is_pole) fixed.push_back(j);
     }
     fixed.push_back(rows.size() - 1);
-    const auto error = [&](std::size_t a, std::size_t b) { return chord_error(along_, a, b); };
+    const std::vector<CellColumns> cells = cells_to_look_at(columns);
+    const auto error = [&](std::size_t a, std::size_t b) { return cell_error(cells, a, b, bound); };
     std::size_t loop_least = 1;
     if (dense_.spine.is_closed && fixed.size() <= 3) loop_least = fixed.size() == 2 ? 3 : 2;
     std::vector<std::size_t> cuts;
@@ -223,106 +309,155 @@ class GridFitter {
       append_cuts(cuts, cut(fixed[k], fixed[k + 1],
                             is_lens ? std::max<std::size_t>(2, loop_least) : loop_least, error, bound));
     }
-    return {{cuts}, largest_error(along_, cuts)};
-  }
-
-  Cut cut_columns(double bound) const {
-    Cut cut;
-    for (std::size_t o = 0; o < dense_.morphs.size(); ++o) {
-      cut.places.push_back(cut_outline(o, bound));
-      cut.error = std::max(cut.error, largest_error(across_[o], cut.places.back()));
-    }
-    return cut;
-  }
-
-  // From few cells to many, of each number the one with the least error.
-  template <class CutTo>
-  static std::vector<Cut> all_cuts(double bound, const CutTo& cut_to) {
-    std::vector<Cut> cuts;
-    for (int k = 0; k <= kOctaves * kBoundsAnOctave; ++k) {
-      Cut next = cut_to(bound * std::exp2(-static_cast<double>(k) / kBoundsAnOctave));
-      if (!cuts.empty() && next.error >= cuts.back().error) continue;
-      if (!cuts.empty() && next.cells() == cuts.back().cells()) {
-        cuts.back() = std::move(next);
-      } else {
-        cuts.push_back(std::move(next));
-      }
-      if (cuts.back().error == 0) break;
-    }
     return cuts;
   }
 
-  // The pair of fewest cells whose errors add up to `bound` at most; the finest of both where none does.
-  static std::pair<std::size_t, std::size_t> cheapest(const std::vector<Cut>& columns,
-                                                      const std::vector<Cut>& rows, double bound) {
-    std::pair<std::size_t, std::size_t> best(columns.size() - 1, rows.size() - 1);
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      for (std::size_t r = 0; r < rows.size(); ++r) {
-        if (columns[c].error + rows[r].error > bound) continue;
-        const std::size_t cells = columns[c].cells() * rows[r].cells();
-        if (cells < least) {
-          least = cells;
-          best = {c, r};
-        }
-        break;  // more rows are only more
-      }
+  static void narrow(std::vector<std::size_t>& columns, std::span<const double> lengths, double width) {
+    std::vector<std::size_t> narrow;
+    for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+      const double parts = std::ceil((lengths[columns[i + 1]] - lengths[columns[i]]) / width);
+      add_parts(lengths, columns[i], columns[i + 1], static_cast<std::size_t>(std::max(parts, 1.0)), narrow);
     }
-    return best;
+    narrow.push_back(columns.back());
+    columns = std::move(narrow);
   }
 
-  // The largest distance of the dense surface from the triangles of its cells, of every `stride`-th row of
-  // cells.
-  double measure(const Grid& grid, std::size_t stride) const {
-    std::size_t cells = 0;
-    for (const std::vector<std::size_t>& outline : grid.columns)
-      cells += (outline.size() - 1) * (grid.rows.size() - 1);
-    const std::size_t parts = cells > kManyCells ? 2 : 4;
+  std::vector<std::vector<std::size_t>> cut_columns(double bound, double width) const {
+    std::vector<std::vector<std::size_t>> columns;
+    columns.reserve(dense_.morphs.size());
+    for (std::size_t o = 0; o < dense_.morphs.size(); ++o) columns.push_back(cut_outline(o, bound, width));
+    return columns;
+  }
+
+  // A cell of a grid and what is missed there.
+  struct Missed {
+    double distance;
+    std::size_t outline, column, row;
+  };
+
+  // The largest distance of the dense surface from the triangles of its cells.
+  double measure_all(const Grid& grid) const {
+    const std::size_t cells = cells_of(grid);
+    std::vector<Missed> missed;
+    missed.reserve(cells);
+    for_each_cell(grid, cells > kManyCells ? kPartsOfMany : kParts,
+                  [&](const Missed& cell) { missed.push_back(cell); });
+    const std::size_t count = std::min(kWorstCells, missed.size());
+    const auto worst = missed.begin() + static_cast<std::ptrdiff_t>(count);
+    std::partial_sort(missed.begin(), worst, missed.end(),
+                      [](const Missed& a, const Missed& b) { return a.distance > b.distance; });
+    double distance = 0;
+    for (const Missed& cell : std::span(missed).first(count)) {
+      distance = std::max({distance, cell.distance, look_closely(grid, cell)});
+    }
+    return distance;
+  }
+
+  // Where two triangles are as far from the surface it has a ridge, and its worst place lies on that: looked
+  // for in the cell, then about the worst found.
+  double look_closely(const Grid& grid, const Missed& cell) const {
+    const std::vector<std::size_t>& columns = grid.columns[cell.outline];
+    const std::array<std::size_t, 2> across = {columns[cell.column], columns[cell.column + 1]};
+    const std::array<std::size_t, 2> along = {grid.rows[cell.row], grid.rows[cell.row + 1]};
+    const auto point = [&](std::size_t column, std::size_t row) {
+      return dense_.position({cell.outline, column}, row);
+    };
+    const glm::dvec3 p = point(across[0], along[0]);
+    const glm::dvec3 q = point(across[1], along[0]);
+    const glm::dvec3 r = point(across[0], along[1]);
+    const glm::dvec3 s = point(across[1], along[1]);
     double worst = 0;
-    std::vector<std::size_t> sample_rows;
+    std::array<std::size_t, 4> window = {across[0], across[1], along[0], along[1]};
     std::vector<std::size_t> sample_columns;
-    std::vector<std::size_t> first_of_cell;
-    std::vector<std::vector<glm::dvec3>> points;
-    for (std::size_t o = 0; o < grid.columns.size(); ++o) {
-      const std::vector<std::size_t>& columns = grid.columns[o];
+    std::vector<std::size_t> sample_rows;
+    for (int round = 0; round < 2; ++round) {
       sample_columns.clear();
-      first_of_cell.clear();
-      for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
-        first_of_cell.push_back(sample_columns.size());
-        add_parts(columns[i], columns[i + 1], parts, sample_columns);
-      }
-      first_of_cell.push_back(sample_columns.size());
-      sample_columns.push_back(columns.back());
-      for (std::size_t j = 0; j + 1 < grid.rows.size(); j += stride) {
-        sample_rows.clear();
-        add_parts(grid.rows[j], grid.rows[j + 1], parts, sample_rows);
-        sample_rows.push_back(grid.rows[j + 1]);
-        points.resize(sample_rows.size());
-        for (std::size_t k = 0; k < sample_rows.size(); ++k) {
-          points[k].clear();
-          for (const std::size_t column : sample_columns)
-            points[k].push_back(dense_.position({o, column}, sample_rows[k]));
-        }
-        for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
-          const std::size_t from = first_of_cell[i];
-          const std::size_t to = first_of_cell[i + 1];
-          const glm::dvec3& p = points.front()[from];
-          const glm::dvec3& q = points.front()[to];
-          const glm::dvec3& r = points.back()[from];
-          const glm::dvec3& s = points.back()[to];
-          for (const std::vector<glm::dvec3>& line : points) {
-            for (std::size_t c = from; c <= to; ++c) {
-              worst = std::max(worst, std::min(distance_to_triangle(line[c], r, p, q),
-                                               distance_to_triangle(line[c], q, s, r)));
-            }
-          }
+      sample_rows.clear();
+      add_parts(lengths_[cell.outline], window[0], window[1], kPartsOfWorst, sample_columns);
+      add_parts(dense_.spine.shares, window[2], window[3], kPartsOfWorst, sample_rows);
+      sample_columns.push_back(window[1]);
+      sample_rows.push_back(window[3]);
+      for (std::size_t k = 0; k < sample_rows.size(); ++k) {
+        for (std::size_t c = 0; c < sample_columns.size(); ++c) {
+          const glm::dvec3 here = point(sample_columns[c], sample_rows[k]);
+          const double distance =
+              std::min(distance_to_triangle(here, r, p, q), distance_to_triangle(here, q, s, r));
+          if (distance <= worst) continue;
+          worst = distance;
+          window = {sample_columns[c - std::min<std::size_t>(c, 1)],
+                    sample_columns[std::min(c + 1, sample_columns.size() - 1)],
+                    sample_rows[k - std::min<std::size_t>(k, 1)],
+                    sample_rows[std::min(k + 1, sample_rows.size() - 1)]};
         }
       }
     }
     return worst;
   }
 
+  template <class Visit>
+  void for_each_cell(const Grid& grid, std::size_t parts, const Visit& visit) const {
+    CellSamples samples;
+    for (std::size_t o = 0; o < grid.columns.size(); ++o) {
+      sample_columns(samples, o, grid.columns[o], parts);
+      for (std::size_t j = 0; j + 1 < grid.rows.size(); ++j) {
+        sample_rows(samples, o, grid.rows[j], grid.rows[j + 1], parts);
+        for (std::size_t i = 0; i + 1 < grid.columns[o].size(); ++i) visit({missed_in(samples, i), o, i, j});
+      }
+    }
+  }
+
+  // Places of the dense sweep in a row of cells.
+  struct CellSamples {
+    std::vector<std::size_t> columns;
+    std::vector<std::size_t> first_of_cell;  // in `columns`; one more than cells
+    std::vector<std::size_t> rows;
+    std::vector<std::vector<glm::dvec3>> points;  // a row, a column
+  };
+
+  void sample_columns(CellSamples& samples, std::size_t outline, std::span<const std::size_t> columns,
+                      std::size_t parts) const {
+    samples.columns.clear();
+    samples.first_of_cell.clear();
+    for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+      samples.first_of_cell.push_back(samples.columns.size());
+      add_parts(lengths_[outline], columns[i], columns[i + 1], parts, samples.columns);
+    }
+    samples.first_of_cell.push_back(samples.columns.size());
+    samples.columns.push_back(columns.back());
+  }
+
+  void sample_rows(CellSamples& samples, std::size_t outline, std::size_t first, std::size_t last,
+                   std::size_t parts) const {
+    samples.rows.clear();
+    add_parts(dense_.spine.shares, first, last, parts, samples.rows);
+    samples.rows.push_back(last);
+    samples.points.resize(samples.rows.size());
+    for (std::size_t k = 0; k < samples.rows.size(); ++k) {
+      samples.points[k].clear();
+      for (const std::size_t column : samples.columns)
+        samples.points[k].push_back(dense_.position({outline, column}, samples.rows[k]));
+    }
+  }
+
+  static double missed_in(const CellSamples& samples, std::size_t cell) {
+    const std::size_t from = samples.first_of_cell[cell];
+    const std::size_t to = samples.first_of_cell[cell + 1];
+    const glm::dvec3& p = samples.points.front()[from];
+    const glm::dvec3& q = samples.points.front()[to];
+    const glm::dvec3& r = samples.points.back()[from];
+    const glm::dvec3& s = samples.points.back()[to];
+    double worst = 0;
+    for (const std::vector<glm::dvec3>& line : samples.points) {
+      for (std::size_t c = from; c <= to; ++c) {
+        worst = std::max(
+            worst, std::min(distance_to_triangle(line[c], r, p, q), distance_to_triangle(line[c], q, s, r)));
+      }
+    }
+    return worst;
+  }
+
   const DenseSweep& dense_;
+  std::vector<std::vector<double>> lengths_;  // an outline: of its columns
   // an outline, a row; of those that change
   std::vector<std::vector<glm::dvec3>> along_;                // extreme columns, a point a row
   std::vector<std::vector<std::vector<glm::dvec3>>> across_;  // an outline: extreme rows, a point a column
@@ -334,21 +469,43 @@ Grid fit_grid(const DenseSweep& dense, double tolerance) {
   return GridFitter(dense).fit(tolerance);
 }
 
+bool is_well_measured(const DenseSweep& dense, const Grid& grid, double tolerance) {
+  if (grid.deviation > tolerance) return false;
+  if (!dense.changes) return true;
+  // Three neighbours, one of which may be the rest of a stretch, need so many dense cells. Where there are
+  // not many to look at, looking closely costs little.
+  constexpr std::size_t kFewCells = 5000;
+  const std::size_t enough = cells_of(grid) < kFewCells ? 48 : 18;
+  const auto has_few = [enough](const std::vector<std::size_t>& cuts) {
+    const std::size_t neighbours = std::min<std::size_t>(3, cuts.size() - 1);
+    for (std::size_t i = neighbours; i < cuts.size(); ++i) {
+      if (3 * (cuts[i] - cuts[i - neighbours]) < neighbours * enough) return true;
+    }
+    return false;
+  };
+  return !has_few(grid.rows) && std::none_of(grid.columns.begin(), grid.columns.end(), has_few);
+}
+
+Section kept_points(const Section& section, std::span<const std::size_t> columns) {
+  Section kept;
+  kept.is_closed = section.is_closed;
+  kept.points.reserve(columns.size());
+  kept.fractions.reserve(columns.size());
+  for (const std::size_t i : columns) {
+    kept.points.push_back(section.points[i]);
+    kept.fractions.push_back(section.fractions[i]);
+    kept.breaks.push_back(section.breaks[i]);
+    kept.corners.push_back(section.corners[i]);
+  }
+  return kept;
+}
+
 Morph kept_columns(const Morph& morph, std::span<const std::size_t> columns) {
   Morph kept;
   kept.at = morph.at;
   kept.slopes = morph.slopes;
-  for (const Section& key : morph.keys) {
-    Section section;
-    section.is_closed = key.is_closed;
-    for (const std::size_t i : columns) {
-      section.points.push_back(key.points[i]);
-      section.breaks.push_back(key.breaks[i]);
-      section.corners.push_back(key.corners[i]);
-      section.fractions.push_back(key.fractions[i]);
-    }
-    kept.keys.push_back(std::move(section));
-  }
+  kept.keys.reserve(morph.keys.size());
+  for (const Section& key : morph.keys) kept.keys.push_back(kept_points(key, columns));
   return kept;
 }
 

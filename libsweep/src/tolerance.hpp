@@ -23,7 +23,11 @@ struct Grid {
 /// the ends, every corner and every pole.
 Grid fit_grid(const DenseSweep& dense, double tolerance);
 
+/// Is the grid within `tolerance`, and has it cells large enough for the dense sweep to look inside of them?
+bool is_well_measured(const DenseSweep& dense, const Grid& grid, double tolerance);
+
 /// What a grid keeps of it.
+Section kept_points(const Section& section, std::span<const std::size_t> columns);
 Morph kept_columns(const Morph& morph, std::span<const std::size_t> columns);
 Spine kept_rows(const Spine& spine, std::span<const std::size_t> rows);
 
