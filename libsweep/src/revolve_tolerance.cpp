@@ -145,16 +145,13 @@ class TurnFitter {
         const std::size_t from = cuts[o][j];
         const std::size_t to = cuts[o][j + 1];
         if (point(from).x == 0 && point(to).x == 0) continue;
-        const glm::dvec3 p = turned(point(from), 0);
-        const glm::dvec3 q = turned(point(from), cell);
-        const glm::dvec3 r = turned(point(to), 0);
-        const glm::dvec3 s = turned(point(to), cell);
+        const DistanceCell triangles(turned(point(from), 0), turned(point(from), cell), turned(point(to), 0),
+                                     turned(point(to), cell));
         for (std::size_t part = 0; part <= kParts; ++part) {
           const glm::dvec2 here = point(from + (to - from) * part / kParts);
           for (std::size_t k = 0; k <= kParts; ++k) {
             const glm::dvec3 surface = turned(here, cell * static_cast<double>(k) / kParts);
-            worst = std::max(worst, std::min(distance_to_triangle(surface, r, p, q),
-                                             distance_to_triangle(surface, q, s, r)));
+            worst = triangles.worse(surface, worst);
           }
         }
       }

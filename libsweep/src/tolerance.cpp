@@ -38,46 +38,8 @@ constexpr int kMostHalvings = 6;
 // Cells of a row that are looked at while rows are chosen; all of them in the end.
 constexpr std::size_t kCellsEvenly = 16;
 constexpr std::size_t kCellsWidest = 8;
-// A cell's sides are looked at in so many parts, the worst cells' again in more: the margin is what 8 would
-// miss of a parabola. A cell of very many is so small that the middles of its sides and diagonal are its
-// worst places.
+// A cell's sides are looked at in so many parts.
 constexpr std::size_t kParts = 4;
-constexpr std::size_t kPartsOfMany = 2;
-constexpr std::size_t kManyCells = 200000;
-constexpr std::size_t kPartsOfWorst = 16;
-constexpr std::size_t kWorstCells = 300;
-
-// Places evenly by length between two, the first included.
-void add_parts(std::span<const double> lengths, std::size_t from, std::size_t to, std::size_t parts,
-               std::vector<std::size_t>& places) {
-  const auto at = [&](std::size_t place) { return lengths.begin() + static_cast<std::ptrdiff_t>(place); };
-  places.push_back(from);
-  for (std::size_t part = 1; part < parts && places.back() + 1 < to; ++part) {
-    const double share = static_cast<double>(part) / static_cast<double>(parts);
-    const double length = lengths[from] + (lengths[to] - lengths[from]) * share;
-    const auto after = std::upper_bound(at(places.back() + 1), at(to - 1), length);
-    auto place = static_cast<std::size_t>(after - lengths.begin());
-    if (place > places.back() + 1 && length - lengths[place - 1] < lengths[place] - length) --place;
-    places.push_back(place);
-  }
-}
-
-// How far along the polygon of its points each is.
-std::vector<double> chord_lengths(const Section& section) {
-  std::vector<double> lengths = {0};
-  for (std::size_t i = 1; i < section.points.size(); ++i) {
-    lengths.push_back(lengths.back() +
-                      glm::length(section.points[i].position - section.points[i - 1].position));
-  }
-  return lengths;
-}
-
-std::size_t cells_of(const Grid& grid) {
-  std::size_t cells = 0;
-  for (const std::vector<std::size_t>& columns : grid.columns)
-    cells += (columns.size() - 1) * (grid.rows.size() - 1);
-  return cells;
-}
 
 class GridFitter {
  public:
@@ -127,13 +89,13 @@ class GridFitter {
         worse = 0;
       }
     }
-    best.deviation = measure_all(best);
+    best.deviation = deviation_of(best, dense_, lengths_);
     // Some of the cells chose the rows; what all of them show may ask for a little less.
     double row_bound = bound;
     while (best.deviation > bound && row_bound > 1e-3 * bound) {
       row_bound *= std::clamp(0.97 * bound / best.deviation, 0.5, 0.97);
       best.rows = cut_rows(best.columns, row_bound);
-      best.deviation = measure_all(best);
+      best.deviation = deviation_of(best, dense_, lengths_);
     }
     return best;
   }
@@ -275,16 +237,12 @@ class GridFitter {
       const auto point = [&](std::size_t column, std::size_t row) {
         return dense_.position({cell.outline, column}, row);
       };
-      const glm::dvec3 p = point(cell.columns.front(), first);
-      const glm::dvec3 q = point(cell.columns.back(), first);
-      const glm::dvec3 r = point(cell.columns.front(), last);
-      const glm::dvec3 s = point(cell.columns.back(), last);
-      for (const std::size_t row : rows) {
-        for (const std::size_t column : cell.columns) {
-          const glm::dvec3 here = point(column, row);
-          error = std::max(
-              error, std::min(distance_to_triangle(here, r, p, q), distance_to_triangle(here, q, s, r)));
-        }
+      const DistanceCell triangles(point(cell.columns.front(), first), point(cell.columns.back(), first),
+                                   point(cell.columns.front(), last), point(cell.columns.back(), last));
+      // Inside only: the chords of the sides have been looked at.
+      for (std::size_t k = 1; k < rows.size(); ++k) {
+        for (std::size_t c = 1; c + 1 < cell.columns.size(); ++c)
+          error = triangles.worse(point(cell.columns[c], rows[k]), error);
       }
     }
     return error;
@@ -327,133 +285,6 @@ class GridFitter {
     columns.reserve(dense_.morphs.size());
     for (std::size_t o = 0; o < dense_.morphs.size(); ++o) columns.push_back(cut_outline(o, bound, width));
     return columns;
-  }
-
-  // A cell of a grid and what is missed there.
-  struct Missed {
-    double distance;
-    std::size_t outline, column, row;
-  };
-
-  // The largest distance of the dense surface from the triangles of its cells.
-  double measure_all(const Grid& grid) const {
-    const std::size_t cells = cells_of(grid);
-    std::vector<Missed> missed;
-    missed.reserve(cells);
-    for_each_cell(grid, cells > kManyCells ? kPartsOfMany : kParts,
-                  [&](const Missed& cell) { missed.push_back(cell); });
-    const std::size_t count = std::min(kWorstCells, missed.size());
-    const auto worst = missed.begin() + static_cast<std::ptrdiff_t>(count);
-    std::partial_sort(missed.begin(), worst, missed.end(),
-                      [](const Missed& a, const Missed& b) { return a.distance > b.distance; });
-    double distance = 0;
-    for (const Missed& cell : std::span(missed).first(count)) {
-      distance = std::max({distance, cell.distance, look_closely(grid, cell)});
-    }
-    return distance;
-  }
-
-  // Where two triangles are as far from the surface it has a ridge, and its worst place lies on that: looked
-  // for in the cell, then about the worst found.
-  double look_closely(const Grid& grid, const Missed& cell) const {
-    const std::vector<std::size_t>& columns = grid.columns[cell.outline];
-    const std::array<std::size_t, 2> across = {columns[cell.column], columns[cell.column + 1]};
-    const std::array<std::size_t, 2> along = {grid.rows[cell.row], grid.rows[cell.row + 1]};
-    const auto point = [&](std::size_t column, std::size_t row) {
-      return dense_.position({cell.outline, column}, row);
-    };
-    const glm::dvec3 p = point(across[0], along[0]);
-    const glm::dvec3 q = point(across[1], along[0]);
-    const glm::dvec3 r = point(across[0], along[1]);
-    const glm::dvec3 s = point(across[1], along[1]);
-    double worst = 0;
-    std::array<std::size_t, 4> window = {across[0], across[1], along[0], along[1]};
-    std::vector<std::size_t> sample_columns;
-    std::vector<std::size_t> sample_rows;
-    for (int round = 0; round < 2; ++round) {
-      sample_columns.clear();
-      sample_rows.clear();
-      add_parts(lengths_[cell.outline], window[0], window[1], kPartsOfWorst, sample_columns);
-      add_parts(dense_.spine.shares, window[2], window[3], kPartsOfWorst, sample_rows);
-      sample_columns.push_back(window[1]);
-      sample_rows.push_back(window[3]);
-      for (std::size_t k = 0; k < sample_rows.size(); ++k) {
-        for (std::size_t c = 0; c < sample_columns.size(); ++c) {
-          const glm::dvec3 here = point(sample_columns[c], sample_rows[k]);
-          const double distance =
-              std::min(distance_to_triangle(here, r, p, q), distance_to_triangle(here, q, s, r));
-          if (distance <= worst) continue;
-          worst = distance;
-          window = {sample_columns[c - std::min<std::size_t>(c, 1)],
-                    sample_columns[std::min(c + 1, sample_columns.size() - 1)],
-                    sample_rows[k - std::min<std::size_t>(k, 1)],
-                    sample_rows[std::min(k + 1, sample_rows.size() - 1)]};
-        }
-      }
-    }
-    return worst;
-  }
-
-  template <class Visit>
-  void for_each_cell(const Grid& grid, std::size_t parts, const Visit& visit) const {
-    CellSamples samples;
-    for (std::size_t o = 0; o < grid.columns.size(); ++o) {
-      sample_columns(samples, o, grid.columns[o], parts);
-      for (std::size_t j = 0; j + 1 < grid.rows.size(); ++j) {
-        sample_rows(samples, o, grid.rows[j], grid.rows[j + 1], parts);
-        for (std::size_t i = 0; i + 1 < grid.columns[o].size(); ++i) visit({missed_in(samples, i), o, i, j});
-      }
-    }
-  }
-
-  // Places of the dense sweep in a row of cells.
-  struct CellSamples {
-    std::vector<std::size_t> columns;
-    std::vector<std::size_t> first_of_cell;  // in `columns`; one more than cells
-    std::vector<std::size_t> rows;
-    std::vector<std::vector<glm::dvec3>> points;  // a row, a column
-  };
-
-  void sample_columns(CellSamples& samples, std::size_t outline, std::span<const std::size_t> columns,
-                      std::size_t parts) const {
-    samples.columns.clear();
-    samples.first_of_cell.clear();
-    for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
-      samples.first_of_cell.push_back(samples.columns.size());
-      add_parts(lengths_[outline], columns[i], columns[i + 1], parts, samples.columns);
-    }
-    samples.first_of_cell.push_back(samples.columns.size());
-    samples.columns.push_back(columns.back());
-  }
-
-  void sample_rows(CellSamples& samples, std::size_t outline, std::size_t first, std::size_t last,
-                   std::size_t parts) const {
-    samples.rows.clear();
-    add_parts(dense_.spine.shares, first, last, parts, samples.rows);
-    samples.rows.push_back(last);
-    samples.points.resize(samples.rows.size());
-    for (std::size_t k = 0; k < samples.rows.size(); ++k) {
-      samples.points[k].clear();
-      for (const std::size_t column : samples.columns)
-        samples.points[k].push_back(dense_.position({outline, column}, samples.rows[k]));
-    }
-  }
-
-  static double missed_in(const CellSamples& samples, std::size_t cell) {
-    const std::size_t from = samples.first_of_cell[cell];
-    const std::size_t to = samples.first_of_cell[cell + 1];
-    const glm::dvec3& p = samples.points.front()[from];
-    const glm::dvec3& q = samples.points.front()[to];
-    const glm::dvec3& r = samples.points.back()[from];
-    const glm::dvec3& s = samples.points.back()[to];
-    double worst = 0;
-    for (const std::vector<glm::dvec3>& line : samples.points) {
-      for (std::size_t c = from; c <= to; ++c) {
-        worst = std::max(
-            worst, std::min(distance_to_triangle(line[c], r, p, q), distance_to_triangle(line[c], q, s, r)));
-      }
-    }
-    return worst;
   }
 
   const DenseSweep& dense_;

@@ -7,17 +7,11 @@
 #include <vector>
 
 #include "dense_sweep.hpp"
+#include "grid_deviation.hpp"
 #include "morph.hpp"
 #include "spine.hpp"
 
 namespace sweepkit::sweep {
-
-/// Columns (an outline) and rows of a dense sweep that are kept.
-struct Grid {
-  std::vector<std::vector<std::size_t>> columns;
-  std::vector<std::size_t> rows;
-  double deviation = 0;  ///< the largest distance found between the dense surface and the grid's triangles
-};
 
 /// The grid of fewest triangles, nearly, that is within `tolerance` of the dense surface everywhere. Keeps
 /// the ends, every corner and every pole.

@@ -158,7 +158,6 @@ TEST(Tolerance, TakesNoMoreThanAQuarterMoreThanTheBestOfAllCounts) {
     const std::size_t fewest = fewest_by_search(c, tolerance, chosen);
     EXPECT_LE(static_cast<double>(chosen), 1.25 * static_cast<double>(fewest)) << c.name;
     RecordProperty(c.name, std::to_string(chosen) + " of " + std::to_string(fewest));
-    std::printf("%s: %zu cells, the best by counts %zu\n", c.name, chosen, fewest);
   }
 }
 
