@@ -6,6 +6,14 @@ find_package(nlohmann_json REQUIRED)
 find_package(OpenImageIO REQUIRED)
 find_package(TBB REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(pugixml REQUIRED)
+find_package(Boost REQUIRED)
+
+# svgpp is headers on Boost, without a CMake package of its own.
+find_path(SVGPP_INCLUDE_DIR svgpp/parser/path_data.hpp REQUIRED)
+add_library(svgpp::svgpp INTERFACE IMPORTED)
+target_include_directories(svgpp::svgpp SYSTEM INTERFACE ${SVGPP_INCLUDE_DIR})
+target_link_libraries(svgpp::svgpp INTERFACE Boost::headers)
 
 # Debian's OpenImageIO names an include folder (opencv4) that its packages do not bring: keep those that exist.
 get_target_property(folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

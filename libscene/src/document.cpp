@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "sweepkit/scene/document.hpp"
 
-#include <array>
-#include <fstream>
-
 #include "object_reader.hpp"
 #include "read_look.hpp"
 #include "read_objects.hpp"
+#include "text_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -64,7 +62,7 @@ Document read_document(const JsonDocument& json, const std::filesystem::path& fo
   }
   const Node objects = reader.get("objects");
   reader.finish();
-  document.objects = read_objects(objects, document.materials);
+  document.objects = read_objects(objects, document.materials, folder);
   return document;
 }
 
@@ -78,26 +76,7 @@ Document parse_document(const std::string& text, const std::filesystem::path& fi
 }
 
 Document read_document(const std::filesystem::path& file, const std::vector<Setting>& settings) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored))
-    throw InputError({.file = file.string()}, "is a folder, not a scene file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    const bool exists = std::filesystem::exists(file, ignored);
-    throw InputError({.file = file.string()},
-                     exists ? "cannot be read; check its permissions" : "no such file");
-  }
-  // Counted as it comes, since a device or a pipe does not tell its size.
-  std::string text;
-  std::array<char, 65536> block;
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > kLargestScene) {
-      throw InputError({.file = file.string()}, "is over 256 MiB, too large for a scene file");
-    }
-  }
-  if (stream.bad()) throw InputError({.file = file.string()}, "cannot be read to its end");
-  return parse_document(text, file, settings);
+  return parse_document(read_text_file(file, kLargestScene, "a scene file"), file, settings);
 }
 
 }  // namespace sweepkit::scene

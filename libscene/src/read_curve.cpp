@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "read_curve.hpp"
 
+#include <algorithm>
+
 #include "message_text.hpp"
+#include "read_curve_file.hpp"
 #include "sweepkit/sweep/primitives.hpp"
 
 namespace sweepkit::scene {
@@ -62,6 +65,36 @@ sweep::Curve<D> read_primitive(const std::string& kind, const Node& node) {
   }
 }
 
+// What may stand beside a curve's kind.
+struct Beside {
+  bool is_closed = false;
+  bool is_smooth = false;
+  double scale = 1;
+  std::optional<std::string> id;
+};
+
+Beside read_beside(const std::string& kind, ObjectReader& reader) {
+  const auto is_one_of = [&](std::initializer_list<const char*> kinds) {
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  };
+  Beside beside;
+  if (is_one_of({"free", "polyline", "csv"})) {
+    if (const std::optional<Node> closed = reader.find("closed")) beside.is_closed = closed->boolean();
+  }
+  if (is_one_of({"csv"})) {
+    if (const std::optional<Node> smooth = reader.find("smooth")) beside.is_smooth = smooth->boolean();
+  }
+  if (is_one_of({"svg", "path"})) {
+    if (const std::optional<Node> scale = reader.find("scale")) {
+      beside.scale = scale->number({.low = 1e-9, .high = 1e9});
+    }
+  }
+  if (is_one_of({"svg"})) {
+    if (const std::optional<Node> id = reader.find("id")) beside.id = id->text();
+  }
+  return beside;
+}
+
 template <int D>
 sweep::Curve<D> read_kind(const std::string& kind, const Node& node, bool is_closed) {
   if (kind == "bezier") return sweep::bezier_curve<D>(read_points<D>(node));
@@ -85,17 +118,43 @@ sweep::Curve<D> read_kind(const std::string& kind, const Node& node, bool is_clo
   return read_primitive<D>(kind, node);
 }
 
+// Several outlines of the kinds that files bring, one of the others.
+template <int D>
+using Read = std::conditional_t<D == 2, std::vector<sweep::Curve2>, sweep::Curve3>;
+
+template <int D, class Given>
+Read<D> read_given(const Given& given) {
+  if constexpr (D == 2) {
+    return contour_of(given);
+  } else {
+    return trajectory_of(given);
+  }
+}
+
+template <int D>
+Read<D> read_any(const std::string& kind, const Node& node, const Beside& beside,
+                 const std::filesystem::path& folder) {
+  if (kind == "path") return read_given<D>(PathCurve{node.text(), beside.scale});
+  if (kind == "svg" || kind == "csv") {
+    if (node.text().empty()) node.fail("needs a file's name, got \"\"");
+    const std::filesystem::path file = folder / node.text();
+    if (kind == "svg") return read_given<D>(SvgCurve{file, beside.id, beside.scale});
+    return read_given<D>(PointCurve{file, beside.is_closed, beside.is_smooth});
+  }
+  return {read_kind<D>(kind, node, beside.is_closed)};
+}
+
 // The kinds of curve there are; helix and torus knot are no plane ones.
 template <int D>
 std::vector<std::string> kinds() {
-  std::vector<std::string> kinds = {"bezier",  "beziers",   "free",    "polyline", "line", "circle",
-                                    "ellipse", "rectangle", "polygon", "star",     "arc"};
+  std::vector<std::string> kinds = {"bezier", "beziers", "free",    "polyline",  "line",    "svg",  "path",
+                                    "csv",    "circle",  "ellipse", "rectangle", "polygon", "star", "arc"};
   if (D == 3) kinds.insert(kinds.end(), {"helix", "torus_knot"});
   return kinds;
 }
 
 template <int D>
-sweep::Curve<D> read_curve(const Node& node) {
+Read<D> read_curve(const Node& node, const std::filesystem::path& folder) {
   static const std::vector<std::string> kKinds = kinds<D>();
   ObjectReader reader(node);
   std::optional<Node> chosen;
@@ -110,10 +169,7 @@ sweep::Curve<D> read_curve(const Node& node) {
     chosen = member;
     kind = name;
   }
-  bool is_closed = false;
-  if (kind == "free" || kind == "polyline") {
-    if (const std::optional<Node> closed = reader.find("closed")) is_closed = closed->boolean();
-  }
+  const Beside beside = read_beside(kind, reader);
   reader.finish();
   if (!chosen) {
     std::string names;
@@ -121,20 +177,20 @@ sweep::Curve<D> read_curve(const Node& node) {
     node.fail("needs one of " + names);
   }
   try {
-    return read_kind<D>(kind, *chosen, is_closed);
+    return read_any<D>(kind, *chosen, beside, folder);
   } catch (const InputError& error) {
     if (!error.place().pointer.empty()) throw;
-    chosen->fail(error.problem());  // the curve's own finding, which knows no place
+    chosen->fail(error.what());  // the curve's own finding, which knows no place but in its own file
   }
 }
 
 }  // namespace
 
-sweep::Curve2 read_contour(const Node& node) {
-  return read_curve<2>(node);
+std::vector<sweep::Curve2> read_contour(const Node& node, const std::filesystem::path& folder) {
+  return read_curve<2>(node, folder);
 }
-sweep::Curve3 read_trajectory(const Node& node) {
-  return read_curve<3>(node);
+sweep::Curve3 read_trajectory(const Node& node, const std::filesystem::path& folder) {
+  return read_curve<3>(node, folder);
 }
 
 }  // namespace sweepkit::scene

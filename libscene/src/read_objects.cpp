@@ -68,7 +68,7 @@ sweep::Caps read_caps(ObjectReader& reader) {
   return node && node->choice({"flat", "none"}) == 1 ? sweep::Caps::kNone : sweep::Caps::kFlat;
 }
 
-sweep::Orientation read_orientation(ObjectReader& reader) {
+sweep::Orientation read_orientation(ObjectReader& reader, const std::filesystem::path& folder) {
   sweep::Orientation orientation;
   const std::optional<Node> frames = reader.find("frames");
   const std::optional<Node> guide = reader.find("guide");
@@ -79,7 +79,7 @@ sweep::Orientation read_orientation(ObjectReader& reader) {
                                         sweep::Frames::kFixedUp};
     orientation.frames = kKinds[frames->choice({"rotation-minimizing", "frenet", "fixed-up"})];
   }
-  if (guide) orientation.guide = read_trajectory(*guide);
+  if (guide) orientation.guide = read_trajectory(*guide, folder);
   if (up) {
     orientation.up = up->vector<3>(kCoordinate);
     if (!(glm::length(orientation.up) > 0)) up->fail("needs a direction, got [0, 0, 0]");
@@ -95,20 +95,20 @@ sweep::Joints read_joints(ObjectReader& reader) {
   return kKinds[node->choice({"miter", "smooth", "round", "bevel"})];
 }
 
-SweepShape read_sweep(const Node& node) {
+SweepShape read_sweep(const Node& node, const std::filesystem::path& folder) {
   ObjectReader reader(node);
   const Node contour = reader.get("contour");
   const Node trajectory = reader.get("trajectory");
   const std::optional<Node> profile = reader.find("profile");
   const std::optional<Node> twist = reader.find("twist_deg");
-  const sweep::Orientation orientation = read_orientation(reader);
+  const sweep::Orientation orientation = read_orientation(reader, folder);
   const sweep::Caps caps = read_caps(reader);
   const sweep::Joints joints = read_joints(reader);
   double miter_limit = sweep::SweepOptions{}.miter_limit;
   if (const auto limit = reader.find("miter_limit")) miter_limit = limit->number({.low = 1, .high = 1000});
   reader.finish();
-  return {read_contour(contour),
-          read_trajectory(trajectory),
+  return {read_contour(contour, folder),
+          read_trajectory(trajectory, folder),
           profile ? read_profile(*profile) : sweep::Profile{},
           twist ? read_twist(*twist) : sweep::Law(0),
           orientation,
@@ -117,7 +117,7 @@ SweepShape read_sweep(const Node& node) {
           miter_limit};
 }
 
-RevolveShape read_revolve(const Node& node) {
+RevolveShape read_revolve(const Node& node, const std::filesystem::path& folder) {
   ObjectReader reader(node);
   const Node contour = reader.get("contour");
   double angle = 360;
@@ -126,7 +126,7 @@ RevolveShape read_revolve(const Node& node) {
   }
   const sweep::Caps caps = read_caps(reader);
   reader.finish();
-  return {read_contour(contour), angle, caps};
+  return {read_contour(contour, folder), angle, caps};
 }
 
 PlaneShape read_plane(const Node& node) {
@@ -139,7 +139,7 @@ PlaneShape read_plane(const Node& node) {
 }
 
 // The shape keys; an object may have "parts" instead of one of them.
-std::optional<Piece> read_shape(ObjectReader& reader) {
+std::optional<Piece> read_shape(ObjectReader& reader, const std::filesystem::path& folder) {
   std::optional<Piece> piece;
   for (const char* kind : {"sweep", "revolve", "plane"}) {
     const std::optional<Node> node = reader.find(kind);
@@ -149,9 +149,9 @@ std::optional<Piece> read_shape(ObjectReader& reader) {
     piece->place = node->place();
     const std::string name = kind;
     if (name == "sweep") {
-      piece->shape = read_sweep(*node);
+      piece->shape = read_sweep(*node, folder);
     } else if (name == "revolve") {
-      piece->shape = read_revolve(*node);
+      piece->shape = read_revolve(*node, folder);
     } else {
       piece->shape = read_plane(*node);
     }
@@ -168,11 +168,11 @@ void set_manner(Piece& piece, const Manner& manner) {
   piece.crease_deg = manner.crease_deg;
 }
 
-Piece read_part(const Node& node, Manner manner) {
+Piece read_part(const Node& node, Manner manner, const std::filesystem::path& folder) {
   ObjectReader reader(node);
   const Placement placement = read_placement(reader);
   read_manner(reader, manner);
-  std::optional<Piece> piece = read_shape(reader);
+  std::optional<Piece> piece = read_shape(reader, folder);
   reader.finish();
   if (!piece) node.fail("needs one of \"sweep\", \"revolve\" or \"plane\"");
   set_manner(*piece, manner);
@@ -180,7 +180,8 @@ Piece read_part(const Node& node, Manner manner) {
   return *piece;
 }
 
-ObjectEntry read_one(const Node& node, const std::vector<Material>& materials) {
+ObjectEntry read_one(const Node& node, const std::vector<Material>& materials,
+                     const std::filesystem::path& folder) {
   ObjectReader reader(node);
   ObjectEntry object;
   object.place = node.place();
@@ -201,7 +202,7 @@ ObjectEntry read_one(const Node& node, const std::vector<Material>& materials) {
   object.placement = read_placement(reader);
   Manner manner;
   read_manner(reader, manner);
-  std::optional<Piece> piece = read_shape(reader);
+  std::optional<Piece> piece = read_shape(reader, folder);
   const std::optional<Node> parts = reader.find("parts");
   reader.finish();
   if (piece && parts) parts->fail("an object has one shape or \"parts\", not both");
@@ -211,18 +212,19 @@ ObjectEntry read_one(const Node& node, const std::vector<Material>& materials) {
     object.pieces.push_back(std::move(*piece));
     return object;
   }
-  for (const Node& part : parts->items()) object.pieces.push_back(read_part(part, manner));
+  for (const Node& part : parts->items()) object.pieces.push_back(read_part(part, manner, folder));
   if (object.pieces.empty()) parts->fail("needs at least one part");
   return object;
 }
 
 }  // namespace
 
-std::vector<ObjectEntry> read_objects(const Node& node, const std::vector<Material>& materials) {
+std::vector<ObjectEntry> read_objects(const Node& node, const std::vector<Material>& materials,
+                                      const std::filesystem::path& folder) {
   std::vector<ObjectEntry> objects;
   std::unordered_set<std::string> names;
   for (const Node& item : node.items()) {
-    objects.push_back(read_one(item, materials));
+    objects.push_back(read_one(item, materials, folder));
     if (!names.insert(objects.back().name).second) {
       item.fail("the name " + in_quotes(objects.back().name) +
                 " is taken by an object before; choose another");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "object_reader.hpp"
@@ -9,6 +10,8 @@
 
 namespace sweepkit::scene {
 
-std::vector<ObjectEntry> read_objects(const Node& node, const std::vector<Material>& materials);
+/// `folder` is what the names of curve files are relative to.
+std::vector<ObjectEntry> read_objects(const Node& node, const std::vector<Material>& materials,
+                                      const std::filesystem::path& folder);
 
 }  // namespace sweepkit::scene

@@ -110,7 +110,7 @@ TEST(Document, HoldsWhatTheFileSays) {
   EXPECT_EQ(pipe.pieces[0].crease_deg, 10);
   EXPECT_EQ(pipe.pieces[0].place.pointer, "/objects/0/sweep");
   const auto& swept = std::get<SweepShape>(pipe.pieces[0].shape);
-  EXPECT_TRUE(swept.contour.is_closed());
+  EXPECT_TRUE(swept.contour.front().is_closed());
   EXPECT_EQ(swept.trajectory.length(), 2);
   EXPECT_EQ(swept.caps, sweep::Caps::kNone);
 
@@ -149,7 +149,7 @@ TEST(Document, LawsAndOrientationAreRead) {
       "profile": {"bezier": [[0, 1], [0.5, 3], [1, 1]]}, "twist_deg": {"points": [[0, 0], [0.5, 45], [1, 0]]},
       "guide": {"torus_knot": {"p": 2, "q": 3, "radius": 2, "tube": 1}}}})"));
   const auto& first = std::get<SweepShape>(document.objects[0].pieces[0].shape);
-  EXPECT_EQ(first.contour.segments().size(), 10u);
+  EXPECT_EQ(first.contour.front().segments().size(), 10u);
   EXPECT_EQ(first.profile.x.at(0.5).value, 1.5);
   EXPECT_EQ(first.profile.y.at(0.5).value, 3);
   EXPECT_EQ(first.twist_deg.at(0.5).value, 45) << "a number is the total turn";

@@ -32,7 +32,9 @@ struct Placement {
 glm::dmat4 to_matrix(const Placement& placement);
 
 struct SweepShape {
-  sweep::Curve2 contour;
+  /// One outline, or several that bound one region, holes inside outer ones. Not empty. Closed outlines of a
+  /// filled region run with it on their left.
+  std::vector<sweep::Curve2> contour;
   sweep::Curve3 trajectory;
   sweep::Profile profile;
   sweep::Law twist_deg = 0;
@@ -43,7 +45,7 @@ struct SweepShape {
 };
 
 struct RevolveShape {
-  sweep::Curve2 contour;
+  std::vector<sweep::Curve2> contour;  ///< as SweepShape's
   double angle_deg = 360;
   sweep::Caps caps = sweep::Caps::kFlat;
 };
