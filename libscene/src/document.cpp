@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "sweepkit/scene/document.hpp"
 
-#include <array>
-#include <fstream>
-
 #include "object_reader.hpp"
 #include "read_look.hpp"
 #include "read_objects.hpp"
+#include "text_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
 
 constexpr int kMostPixels = 65536;  // a side
-constexpr std::size_t kLargestScene = std::size_t{256} << 20;
 // Between them a pixel's width keeps its digits.
 constexpr Range kFieldOfView{.low = 0.001, .high = 179, .unit = " degrees"};
 
@@ -70,34 +67,40 @@ Document read_document(const JsonDocument& json, const std::filesystem::path& fo
 
 }  // namespace
 
+SceneFile::SceneFile(const std::filesystem::path& file)
+    : SceneFile(read_text_file(file, "a scene file"), file) {}
+
+SceneFile::SceneFile(const std::string& text, const std::filesystem::path& file)
+    : json_(std::make_unique<JsonDocument>(parse_json(text, file.string()))), folder_(file.parent_path()) {}
+
+SceneFile::SceneFile(SceneFile&&) noexcept = default;
+SceneFile& SceneFile::operator=(SceneFile&&) noexcept = default;
+SceneFile::~SceneFile() = default;
+
+void SceneFile::set(const Setting& setting) {
+  apply_setting(*json_, setting);
+}
+
+Document SceneFile::document(std::span<const Setting> settings) const {
+  if (settings.empty()) return read_document(*json_, folder_);
+  // Places in the copy go on naming this file's own sources.
+  JsonDocument changed{{}, json_->root};
+  for (const Setting& setting : settings) apply_setting(changed, setting);
+  return read_document(changed, folder_);
+}
+
+void SceneFile::check_pointer(const std::string& pointer, const Place& place) const {
+  JsonDocument scratch{{}, json_->root};
+  apply_setting(scratch, {pointer, "null", place, place});
+}
+
 Document parse_document(const std::string& text, const std::filesystem::path& file,
                         const std::vector<Setting>& settings) {
-  JsonDocument json = parse_json(text, file.string());
-  for (const Setting& setting : settings) apply_setting(json, setting);
-  return read_document(json, file.parent_path());
+  return SceneFile(text, file).document(settings);
 }
 
 Document read_document(const std::filesystem::path& file, const std::vector<Setting>& settings) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored))
-    throw InputError({.file = file.string()}, "is a folder, not a scene file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    const bool exists = std::filesystem::exists(file, ignored);
-    throw InputError({.file = file.string()},
-                     exists ? "cannot be read; check its permissions" : "no such file");
-  }
-  // Counted as it comes, since a device or a pipe does not tell its size.
-  std::string text;
-  std::array<char, 65536> block;
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > kLargestScene) {
-      throw InputError({.file = file.string()}, "is over 256 MiB, too large for a scene file");
-    }
-  }
-  if (stream.bad()) throw InputError({.file = file.string()}, "cannot be read to its end");
-  return parse_document(text, file, settings);
+  return SceneFile(file).document(settings);
 }
 
 }  // namespace sweepkit::scene
