@@ -12,6 +12,8 @@
 
 namespace sweepkit::scene {
 
+class ImageStore;
+
 /// A Scene together with the meshes its views look at. Moving it keeps the views valid; it is not copied.
 struct Model {
   std::vector<std::unique_ptr<const sweep::Mesh>> meshes;  ///< one an object; OpenMesh's cannot be moved
@@ -26,8 +28,8 @@ struct Model {
 };
 
 /// Makes the document's meshes and reads the textures that the plan needs. Without a camera the picture
-/// frames the scene; a light is added only where lights and ambient are both absent. Throws InputError with
-/// the place of the object or texture at fault.
-Model build(const Document& document, const Plan& plan);
+/// frames the scene; a light is added only where lights and ambient are both absent. Images come from
+/// `images` where there is a store. Throws InputError with the place of the object or texture at fault.
+Model build(const Document& document, const Plan& plan, ImageStore* images = nullptr);
 
 }  // namespace sweepkit::scene
