@@ -7,6 +7,12 @@ find_package(OpenImageIO REQUIRED)
 find_package(TBB REQUIRED)
 find_package(CLI11 REQUIRED)
 
+# libcsv brings no package file of its own.
+find_path(CSV_INCLUDE_DIR csv.h REQUIRED)
+find_library(CSV_LIBRARY csv REQUIRED)
+add_library(CSV::csv UNKNOWN IMPORTED)
+set_target_properties(CSV::csv PROPERTIES IMPORTED_LOCATION "${CSV_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${CSV_INCLUDE_DIR}")
+
 # Debian's OpenImageIO names an include folder (opencv4) that its packages do not bring: keep those that exist.
 get_target_property(folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
 set(existing)
