@@ -17,6 +17,10 @@
 namespace sweepkit::scene {
 namespace {
 
+// Scenes with a small image each, or one that cannot be read, would make the list longer with every scene.
+// This many are looked through in microseconds.
+constexpr std::size_t kMostEntries = 1000;
+
 struct FileKey {
   std::filesystem::path file;
   texmap::ColorSpace color_space = texmap::ColorSpace::kSrgb;
@@ -58,9 +62,16 @@ struct ImageStore::Shelf {
     const auto found =
         std::find_if(entries.begin(), entries.end(), [&](const auto& one) { return one->key == key; });
     if (found != entries.end()) return *found;
+    if (entries.size() == kMostEntries) drop_oldest();
     entries.push_back(std::make_shared<Entry>());
     entries.back()->key = key;
     return entries.back();
+  }
+
+  // What is let go stays whole for whoever holds it.
+  void drop_oldest() {
+    bytes -= entries.front()->bytes;
+    entries.pop_front();
   }
 
   std::shared_ptr<Entry> entry_of(const std::shared_ptr<const texmap::Image>& image) {
@@ -71,16 +82,13 @@ struct ImageStore::Shelf {
     return found != entries.end() ? *found : nullptr;
   }
 
-  // What is let go stays whole for whoever holds it. An entry that was let go meanwhile no longer counts.
+  // An entry that was let go meanwhile no longer counts.
   void grow(const std::shared_ptr<Entry>& entry, std::size_t by) {
     const std::lock_guard guard(lock);
     if (std::find(entries.begin(), entries.end(), entry) == entries.end()) return;
     entry->bytes += by;
     bytes += by;
-    while (bytes > most_bytes) {
-      bytes -= entries.front()->bytes;
-      entries.pop_front();
-    }
+    while (bytes > most_bytes) drop_oldest();
   }
 
   template <class Make>

@@ -162,6 +162,19 @@ TEST(Each, TellsTheSameOfBadRowsForAnyNumberOfThreadsAndMakesTheOthers) {
   }
 }
 
+TEST(Each, ARowThatMakesNoWayForALaterColumnNamesItsOwnLine) {
+  const Workshop workshop;
+  workshop.write("scene.json", scene_of(kBall));
+  workshop.write("values.csv", "/camera,/camera/width\n{},9\n,9\n");
+  const Outcome run = generate_each(workshop, "{row}.glb");
+  EXPECT_EQ(
+      run.err,
+      "sweepkit: values.csv:3:1: values.csv:1:9: /camera/width: there is no \"camera\" in the scene; set "
+      "that first\n"
+      "sweepkit: values.csv: 1 row made, 1 refused\n");
+  EXPECT_EQ(run.status, 2);
+}
+
 TEST(Each, JsonIsATableOfTheRows) {
   const Workshop workshop;
   workshop.write("scene.json", scene_of(kBall));

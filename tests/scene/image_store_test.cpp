@@ -82,6 +82,16 @@ TEST(ImageStore, LetsTheOldestGoWhenItIsFull) {
   EXPECT_TRUE(nothing.read(kBands, kSrgb).is_new);
 }
 
+TEST(ImageStore, KeepsAThousandImagesHoweverSmall) {
+  ImageStore store;
+  const auto bake = [&](int i) { return store.bake({.scale = 1.0 * i}, 1); };
+  for (int i = 1; i <= 1000; ++i) ASSERT_TRUE(bake(i).is_new);
+  EXPECT_FALSE(bake(1).is_new);
+  EXPECT_TRUE(bake(1001).is_new);
+  EXPECT_FALSE(bake(2).is_new);
+  EXPECT_TRUE(bake(1).is_new) << "the oldest has made room";
+}
+
 TEST(ImageStore, ManyThreadsThatWantOneImageGetItFromOneRead) {
   ImageStore store;
   std::vector<StoredImage> images(8);

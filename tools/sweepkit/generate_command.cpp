@@ -92,18 +92,12 @@ void add_generate(CLI::App& app) {
   const auto command = std::make_shared<Generate>();
   CLI::App& sub = *app.add_subcommand("generate", "Make the scene's objects a textured glTF file");
   add_scene_input(sub, command->input);
-  sub.add_option(
-         "-o", command->output.file,
-         "Ends in .glb (all in one) or .gltf (buffer and images beside it); - is a .glb to standard "
-         "output. With --each a pattern: {row} is the row's number, {POINTER} the row's value in that column")
+  sub.add_option("-o", command->output.file,
+                 "Ends in .glb (all in one) or .gltf (buffer and images beside it); - is a .glb to standard "
+                 "output. With --each a pattern such as vase_{row}.glb")
       ->type_name("FILE");
   CLI::Option* each =
-      sub.add_option(
-             "--each", command->values,
-             "Make a file for each row of this table (CSV): its first row holds pointers such as "
-             "/objects/0/sweep/twist_deg, the others the values that the scene gets there, as --set has "
-             "them and after --set; an empty cell leaves the scene's own. A row that cannot be made is "
-             "reported, the others are made, and the exit status is 2. --explain tells what any row needs")
+      sub.add_option("--each", command->values, "Make a file for each row of this table, as told below")
           ->type_name("VALUES.csv");
   sub.add_option("--threads", command->threads,
                  "Threads for --each; without it as many as the machine has. The files are the same")
@@ -120,6 +114,12 @@ void add_generate(CLI::App& app) {
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);
   sub.footer(
+      "The table of --each is CSV. Its first row holds pointers such as /objects/0/sweep/twist_deg,\n"
+      "every other row the values that the scene gets there, as --set has them and after --set; an\n"
+      "empty cell leaves the scene's own. In -o's name {row} is the row's number and {POINTER} the\n"
+      "row's value in that column. A row that cannot be made is reported, the others are made, and\n"
+      "the exit status is 2. --explain tells what any row needs and what all cost; without -o it\n"
+      "reads every row and makes none.\n\n"
       "Examples:\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json -o vase_and_cup.glb\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json --object vase --each samples/tables/vases.csv "

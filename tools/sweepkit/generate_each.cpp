@@ -40,10 +40,11 @@ struct RowOutcome {
   MadeFile made;
 };
 
-// One line that names the table's line, wherever the fault itself lies.
+// One line that names the row's line, wherever the fault itself lies: in the scene, or in the header.
 std::string row_problem(const scene::ValuesTable& table, std::size_t row, const InputError& error) {
-  if (error.place().file == table.file) return error.what();
-  return to_prefix(table.place(table.rows[row].front())) + error.what();
+  const scene::ValuesTable::Cell& first = table.rows[row].front();
+  if (error.place().file == table.file && error.place().line >= first.line) return error.what();
+  return to_prefix(table.place(first)) + error.what();
 }
 
 // Names are settled before any work, since two rows may not share one. A row that cannot be named is refused

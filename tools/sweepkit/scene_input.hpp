@@ -23,8 +23,7 @@ struct SceneInput {
 void add_scene_input(CLI::App& command, SceneInput& input);
 
 /// The file with --set done to it, for documents that differ in more values. Throws InputError: a setting
-/// without
-/// "=", or what scene::SceneFile finds.
+/// without "=", or what scene::SceneFile finds.
 scene::SceneFile open_scene(const SceneInput& input);
 
 /// Its document. Throws InputError as that does.

@@ -27,8 +27,8 @@ class ImageStore {
  public:
   static constexpr std::size_t kMostBytes = std::size_t{512} << 20;
 
-  /// Keeps at most `most_bytes` of texels and encoded bytes, and lets the oldest go, so that scenes with an
-  /// image each do not fill the memory.
+  /// Keeps at most `most_bytes` of texels and encoded bytes, and a thousand images, and lets the oldest go,
+  /// so that scenes with an image each do not fill the memory.
   explicit ImageStore(std::size_t most_bytes = kMostBytes);
   ~ImageStore();
   ImageStore(const ImageStore&) = delete;
