@@ -10,8 +10,9 @@
 namespace sweepkit::scene {
 namespace {
 
-constexpr int kMostPixels = 65536;  // a side
 constexpr std::size_t kLargestScene = std::size_t{256} << 20;
+
+constexpr int kMostPixels = 65536;  // a side
 // Between them a pixel's width keeps its digits.
 constexpr Range kFieldOfView{.low = 0.001, .high = 179, .unit = " degrees"};
 
@@ -68,15 +69,40 @@ Document read_document(const JsonDocument& json, const std::filesystem::path& fo
 
 }  // namespace
 
+SceneFile::SceneFile(const std::filesystem::path& file)
+    : SceneFile(read_text_file(file, kLargestScene, "a scene file"), file) {}
+
+SceneFile::SceneFile(const std::string& text, const std::filesystem::path& file)
+    : json_(std::make_unique<JsonDocument>(parse_json(text, file.string()))), folder_(file.parent_path()) {}
+
+SceneFile::SceneFile(SceneFile&&) noexcept = default;
+SceneFile& SceneFile::operator=(SceneFile&&) noexcept = default;
+SceneFile::~SceneFile() = default;
+
+void SceneFile::set(const Setting& setting) {
+  apply_setting(*json_, setting);
+}
+
+Document SceneFile::document(std::span<const Setting> settings) const {
+  if (settings.empty()) return read_document(*json_, folder_);
+  // Places in the copy go on naming this file's own sources.
+  JsonDocument changed{{}, json_->root};
+  for (const Setting& setting : settings) apply_setting(changed, setting);
+  return read_document(changed, folder_);
+}
+
+void SceneFile::check_pointer(const std::string& pointer, const Place& place) const {
+  JsonDocument scratch{{}, json_->root};
+  apply_setting(scratch, {pointer, "null", place, place});
+}
+
 Document parse_document(const std::string& text, const std::filesystem::path& file,
                         const std::vector<Setting>& settings) {
-  JsonDocument json = parse_json(text, file.string());
-  for (const Setting& setting : settings) apply_setting(json, setting);
-  return read_document(json, file.parent_path());
+  return SceneFile(text, file).document(settings);
 }
 
 Document read_document(const std::filesystem::path& file, const std::vector<Setting>& settings) {
-  return parse_document(read_text_file(file, kLargestScene, "a scene file"), file, settings);
+  return SceneFile(file).document(settings);
 }
 
 }  // namespace sweepkit::scene

@@ -21,8 +21,8 @@
 #include "gltf_transform.hpp"
 #include "message_text.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/scene/image_store.hpp"
 #include "sweepkit/texmap/bake.hpp"
-#include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -59,6 +59,7 @@ class Writer {
       : scene_(scene),
         plan_(plan),
         options_(options),
+        images_(options.images != nullptr ? *options.images : own_images_),
         stem_(file == "-" ? "scene" : file.stem().string()),
         is_binary_(file.extension() != ".gltf") {
     model_.asset.version = "2.0";
@@ -176,17 +177,17 @@ class Writer {
                         TINYGLTF_TYPE_SCALAR, count);
   }
 
-  int add_image(const texmap::Image& image, const std::string& name) {
-    const std::vector<std::byte> png = texmap::encode_image(image, texmap::ImageFormat::kPng);
+  int add_image(const std::shared_ptr<const texmap::Image>& image, const std::string& name) {
+    const std::shared_ptr<const std::vector<std::byte>> png = images_.png(image);
     tinygltf::Image entry;
     entry.name = name;
     if (is_binary_) {
       entry.mimeType = "image/png";
-      entry.bufferView = add_view<std::byte>(png, 0);
+      entry.bufferView = add_view<std::byte>(*png, 0);
     } else {
       const std::string file = stem_ + "_" + std::to_string(model_.images.size()) + ".png";
       entry.uri = percent_encoded(file);
-      result_.files.push_back({file, png});
+      result_.files.push_back({file, *png});
     }
     model_.images.push_back(std::move(entry));
     return static_cast<int>(model_.images.size()) - 1;
@@ -212,24 +213,33 @@ class Writer {
     const auto found = image_textures_.find(index);
     if (found != image_textures_.end()) return found->second;
     const auto& [image, wrap] = std::get<texmap::ImageTexture>(scene_.textures[index]);
-    return image_textures_[index] = add_texture(add_image(*image, scene_.texture_names[index]), wrap);
+    return image_textures_[index] = add_texture(add_image(image, scene_.texture_names[index]), wrap);
   }
 
   // A procedural texture is written once for each object, as it lies on that surface.
   int baked_texture(const Object& object, const texmap::Procedural& procedural,
                     std::vector<texmap::UvTransform>& transforms) {
+    if (texmap::repeats_in_unit_square(procedural)) {
+      const StoredImage baked = images_.bake(procedural, options_.bake_size);
+      if (baked.is_new) count_bake(*baked.image);
+      return add_texture(add_image(baked.image, object.name), texmap::Wrap::kRepeat);
+    }
     const MeshView& mesh = scene_.meshes[object.mesh];
     std::vector<std::uint32_t> area_ends;
+    area_ends.reserve(mesh.areas.size());
     for (const sweep::Area& area : mesh.areas) area_ends.push_back(area.first_triangle + area.triangle_count);
     texmap::BakedTexture baked =
         texmap::bake(procedural, {mesh.positions, mesh.texcoords, mesh.triangles, area_ends, mesh.origin},
                      {options_.bake_size, options_.bake_size});
     transforms = std::move(baked.transforms);
+    count_bake(baked.image);
+    const auto image = std::make_shared<const texmap::Image>(std::move(baked.image));
+    return add_texture(add_image(image, object.name), texmap::Wrap::kClamp);
+  }
+
+  void count_bake(const texmap::Image& image) {
     result_.ledger[Part::kBakes].calls += 1;
-    result_.ledger[Part::kBakes].bytes += baked.image.bytes();
-    const bool repeats = texmap::repeats_in_unit_square(procedural);
-    return add_texture(add_image(baked.image, object.name),
-                       repeats ? texmap::Wrap::kRepeat : texmap::Wrap::kClamp);
+    result_.ledger[Part::kBakes].bytes += image.bytes();
   }
 
   // One for each material in use, and one more for each surface that a procedural texture is baked from.
@@ -332,6 +342,8 @@ class Writer {
   const Scene& scene_;
   const Plan& plan_;
   const GltfOptions& options_;
+  ImageStore own_images_;  // where the caller has none
+  ImageStore& images_;
   std::string stem_;
   bool is_binary_;
   tinygltf::Model model_;

@@ -11,10 +11,9 @@ namespace sweepkit::scene {
 namespace {
 
 // RFC 6901: parts after each "/", ~1 for "/" and ~0 for "~".
-std::vector<std::string> split_pointer(const std::string& pointer) {
+std::vector<std::string> split_pointer(const std::string& pointer, const Place& place) {
   if (pointer.empty() || pointer[0] != '/') {
-    throw InputError({.file = "--set"},
-                     "a pointer begins with \"/\" (/objects/0/name), got " + in_quotes(pointer));
+    throw InputError(place, "a pointer begins with \"/\" (/objects/0/name), got " + in_quotes(pointer));
   }
   std::vector<std::string> parts(1);
   for (std::size_t i = 1; i < pointer.size(); ++i) {
@@ -23,8 +22,7 @@ std::vector<std::string> split_pointer(const std::string& pointer) {
     } else if (pointer[i] == '~') {
       const char escape = i + 1 < pointer.size() ? pointer[++i] : '\0';
       if (escape != '0' && escape != '1') {
-        throw InputError({.file = "--set"},
-                         "in a pointer \"~\" is written ~0 and \"/\" ~1, got " + in_quotes(pointer));
+        throw InputError(place, "in a pointer \"~\" is written ~0 and \"/\" ~1, got " + in_quotes(pointer));
       }
       parts.back() += escape == '0' ? '~' : '/';
     } else {
@@ -34,17 +32,22 @@ std::vector<std::string> split_pointer(const std::string& pointer) {
   return parts;
 }
 
-// Line and column inside an option's value would say little.
-void mark_as_setting(JsonValue& value, const std::string* source) {
-  value.place = {source};
+// All of a setting's value stands where the setting does: line and column inside an option's value or a
+// table's cell would say little.
+void mark_as_setting(JsonValue& value, const JsonPlace& place) {
+  value.place = place;
   if (auto* array = std::get_if<JsonValue::Array>(&value.data)) {
-    for (JsonValue& item : *array) mark_as_setting(item, source);
+    for (JsonValue& item : *array) mark_as_setting(item, place);
   } else if (auto* object = std::get_if<JsonValue::Object>(&value.data)) {
     for (JsonMember& member : *object) {
-      member.key_place = {source};
-      mark_as_setting(member.value, source);
+      member.key_place = place;
+      mark_as_setting(member.value, place);
     }
   }
+}
+
+JsonPlace to_json_place(JsonDocument& document, const Place& place) {
+  return {&document.sources.emplace_back(place.file), place.line, place.column};
 }
 
 // No leading zero, no sign; nine digits are more than any array has.
@@ -61,19 +64,20 @@ std::string range_of(const JsonValue::Array& array, const std::string& name) {
 }  // namespace
 
 void apply_setting(JsonDocument& document, const Setting& setting) {
-  document.sources.emplace_back("--set");
-  const std::string* source = &document.sources.back();
+  const JsonPlace place = to_json_place(document, setting.place);
   JsonValue value;
   try {
-    value = parse_json_value(setting.value, *source);
+    value = parse_json_value(setting.value, *place.source);
   } catch (const InputError&) {
     value.data = setting.value;  // not JSON: a plain string, so that no shell needs two kinds of quotes
   }
-  mark_as_setting(value, source);
+  mark_as_setting(value, place);
 
-  const std::vector<std::string> parts = split_pointer(setting.pointer);
+  const std::vector<std::string> parts = split_pointer(setting.pointer, setting.pointer_place);
   const auto fail = [&](const std::string& problem) {
-    throw InputError({.file = "--set", .pointer = one_line(setting.pointer)}, problem);
+    Place at_fault = setting.pointer_place;
+    at_fault.pointer = one_line(setting.pointer);
+    throw InputError(at_fault, problem);
   };
   JsonValue* at = &document.root;
   std::string so_far;
@@ -87,7 +91,8 @@ void apply_setting(JsonDocument& document, const Setting& setting) {
       if (member != object->end()) {
         at = &member->value;
       } else if (is_last) {
-        at = &object->emplace_back(JsonMember{part, {source}, {}}).value;
+        at =
+            &object->emplace_back(JsonMember{part, to_json_place(document, setting.pointer_place), {}}).value;
       } else {
         fail("there is no " + in_quotes(part) + " in " + name + "; set that first");
       }

@@ -47,8 +47,8 @@ struct JsonDocument {
 JsonDocument parse_json(const std::string& text, const std::string& file);
 JsonValue parse_json_value(const std::string& text, const std::string& source);
 
-/// --set: replaces a value, adds a key, or appends with "-" (RFC 6901 pointers). Throws InputError naming the
-/// option.
+/// Replaces a value, adds a key, or appends with "-" (RFC 6901 pointers). Throws InputError at the setting's
+/// pointer.
 void apply_setting(JsonDocument& document, const Setting& setting);
 
 }  // namespace sweepkit::scene

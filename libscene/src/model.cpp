@@ -8,23 +8,16 @@
 #include <memory>
 #include <numbers>
 
+#include "sweepkit/scene/image_store.hpp"
 #include "sweepkit/sweep/sweep.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
 
-const sweep::Curve2& only_outline(const std::vector<sweep::Curve2>& contour) {
-  if (contour.size() != 1) {
-    throw InputError("the contour has " + std::to_string(contour.size()) +
-                     " outlines, and one can be swept so far; choose an element of one outline by \"id\"");
-  }
-  return contour.front();
-}
-
 sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
   if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
-    return sweep::sweep(only_outline(shape->contour), shape->trajectory,
+    return sweep::sweep(shape->contour, shape->trajectory,
                         {.tessellation = piece.tessellation,
                          .uv = piece.uv,
                          .crease_deg = piece.crease_deg,
@@ -33,16 +26,17 @@ sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
                          .joints = shape->joints,
                          .miter_limit = shape->miter_limit,
                          .profile = shape->profile,
+                         .morph = shape->morph,
                          .twist_deg = shape->twist_deg,
                          .orientation = shape->orientation});
   }
   if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
-    return sweep::revolve(only_outline(shape->contour), {.tessellation = piece.tessellation,
-                                                         .uv = piece.uv,
-                                                         .angle_deg = shape->angle_deg,
-                                                         .crease_deg = piece.crease_deg,
-                                                         .caps = shape->caps,
-                                                         .has_half_edges = has_half_edges});
+    return sweep::revolve(shape->contour, {.tessellation = piece.tessellation,
+                                           .uv = piece.uv,
+                                           .angle_deg = shape->angle_deg,
+                                           .crease_deg = piece.crease_deg,
+                                           .caps = shape->caps,
+                                           .has_half_edges = has_half_edges});
   }
   return sweep::plane(std::get<PlaneShape>(piece.shape).size, {piece.tessellation, piece.uv, has_half_edges});
 }
@@ -76,21 +70,28 @@ std::unique_ptr<const sweep::Mesh> make_object(const ObjectEntry& object, bool h
   return whole;
 }
 
-texmap::Texture load_texture(const TextureEntry& entry) {
-  if (const auto* procedural = std::get_if<texmap::Procedural>(&entry.source)) return *procedural;
+StoredImage read_image(const ImageEntry& source, ImageStore* images) {
+  if (images != nullptr) return images->read(source.file, source.color_space);
+  return {std::make_shared<const texmap::Image>(texmap::read_image(source.file, source.color_space)), true};
+}
+
+// Counts what it cost in the ledger's row: nothing where another scene has paid already.
+texmap::Texture load_texture(const TextureEntry& entry, ImageStore* images, Cost& cost) {
+  if (const auto* procedural = std::get_if<texmap::Procedural>(&entry.source)) {
+    cost.calls += 1;
+    return *procedural;
+  }
   const auto& source = std::get<ImageEntry>(entry.source);
   try {
-    return texmap::ImageTexture{
-        std::make_shared<const texmap::Image>(texmap::read_image(source.file, source.color_space)),
-        source.wrap};
+    StoredImage stored = read_image(source, images);
+    if (stored.is_new) {
+      cost.calls += 1;
+      cost.bytes += stored.image->bytes();
+    }
+    return texmap::ImageTexture{std::move(stored.image), source.wrap};
   } catch (const InputError& error) {
     throw InputError(entry.place, source.file.string() + ": " + error.problem());
   }
-}
-
-std::size_t texture_bytes(const texmap::Texture& texture) {
-  const auto* image = std::get_if<texmap::ImageTexture>(&texture);
-  return image != nullptr && image->image ? image->image->bytes() : 0;
 }
 
 struct Bounds {
@@ -131,7 +132,13 @@ DirectionalLight default_light(const Camera& camera) {
 
 }  // namespace
 
-Model build(const Document& document, const Plan& plan) {
+std::optional<double> deviation_of(const Model& model, const Object& object) {
+  const std::optional<double>& own = model.meshes[object.mesh]->deviation;
+  if (!own) return std::nullopt;
+  return sweep::largest_stretch(glm::dmat3(object.world_from_object)) * *own;
+}
+
+Model build(const Document& document, const Plan& plan, ImageStore* images) {
   Model model;
   const bool has_half_edges = plan.needs_part(Part::kHalfEdges);
   Scene& scene = model.scene;
@@ -158,9 +165,7 @@ Model build(const Document& document, const Plan& plan) {
     scene.textures.emplace_back();
     scene.texture_names.push_back(document.textures[i].name);
     if (!plan.textures[i]) continue;
-    scene.textures.back() = load_texture(document.textures[i]);
-    model.ledger[Part::kTextures].bytes += texture_bytes(scene.textures.back());
-    model.ledger[Part::kTextures].calls += 1;
+    scene.textures.back() = load_texture(document.textures[i], images, model.ledger[Part::kTextures]);
   }
   scene.camera = document.camera;
   if (!document.has_view) frame(scene);

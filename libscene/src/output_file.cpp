@@ -3,6 +3,10 @@
 //
 // Files are written under another name in their own folder, so that the rename at the end stays on one disk
 // and is one step. What is on the disk meanwhile is listed where a signal handler can read it.
+//
+// Several threads may write. The handler runs on one of them while the others go on, so names come to the
+// disk and leave it inside short sections that a signal cannot enter; the handler closes the gate to new
+// ones, waits for those under way, and only then removes what the list holds.
 
 #include "sweepkit/scene/output_file.hpp"
 
@@ -13,9 +17,12 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <mutex>
+#include <ctime>
+#include <utility>
+#include <vector>
 
 #include "sweepkit/error.hpp"
 
@@ -28,20 +35,88 @@ constexpr std::size_t kLongestPath = 4096;
 // any moment.
 struct Pending {
   std::array<char, kLongestPath> path;
-  std::atomic<bool> is_live = false;
+  std::atomic<bool> is_taken = false;  // by a write
+  std::atomic<bool> is_live = false;   // may be on the disk
   Pending* next = nullptr;
 };
 std::atomic<Pending*> pending = nullptr;
 
-Pending& free_entry() {
+std::atomic<bool> is_abandoned = false;
+std::atomic<int> sections = 0;
+
+// A section of the work during which this thread takes no signal. Nothing enters once writes are abandoned:
+// the process is about to end.
+class Section {
+ public:
+  Section() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+    ++sections;
+    if (!is_abandoned) return;
+    --sections;
+    while (true) ::pause();
+  }
+  Section(const Section&) = delete;
+  Section& operator=(const Section&) = delete;
+  ~Section() {
+    --sections;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+ private:
+  sigset_t before_;
+};
+
+Pending& take_entry() {
   for (Pending* entry = pending; entry != nullptr; entry = entry->next) {
-    if (!entry->is_live) return *entry;
+    if (!entry->is_taken.exchange(true)) return *entry;
   }
   auto* entry = new Pending;
+  entry->is_taken = true;
   entry->next = pending;
-  pending = entry;
+  while (!pending.compare_exchange_weak(entry->next, entry)) {
+  }
   return *entry;
 }
+
+// A file beside its place: removed again unless it is renamed.
+class FileBeside {
+ public:
+  FileBeside() : entry_(&take_entry()) {}
+  FileBeside(FileBeside&& other) noexcept : entry_(std::exchange(other.entry_, nullptr)) {}
+  FileBeside& operator=(FileBeside&&) = delete;
+  ~FileBeside() {
+    if (entry_ == nullptr) return;
+    if (entry_->is_live) {
+      const Section section;
+      ::unlink(entry_->path.data());
+      entry_->is_live = false;
+    }
+    entry_->is_taken = false;
+  }
+
+  // A new file's descriptor, or -1 with errno.
+  int open(const std::filesystem::path& path) const {
+    if (path.native().size() >= kLongestPath) {
+      errno = ENAMETOOLONG;
+      return -1;
+    }
+    const Section section;
+    std::memcpy(entry_->path.data(), path.c_str(), path.native().size() + 1);
+    const int number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    entry_->is_live = number >= 0;
+    return number;
+  }
+  bool rename(const std::filesystem::path& to) const {
+    if (std::rename(entry_->path.data(), to.c_str()) != 0) return false;
+    entry_->is_live = false;
+    return true;
+  }
+
+ private:
+  Pending* entry_;
+};
 
 bool is_standard_output(const std::filesystem::path& file) {
   return file == "-";
@@ -114,31 +189,21 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-// Writes the bytes beside `target` and returns their entry in the list.
-Pending& write_beside(const std::filesystem::path& target, std::span<const std::byte> bytes) {
-  Pending& entry = free_entry();
+FileBeside write_beside(const std::filesystem::path& target, std::span<const std::byte> bytes) {
+  static std::atomic<unsigned> names = 0;
+  FileBeside file;
   int number = -1;
-  for (int attempt = 0; number < 0; ++attempt) {
-    const std::filesystem::path path =
-        folder_of(target) / (".sweepkit-" + std::to_string(::getpid()) + "-" + std::to_string(attempt));
-    if (path.native().size() >= kLongestPath) {
-      errno = ENAMETOOLONG;
-      fail(target);
-    }
-    // Listed before it is there: a handler between the two steps finds nothing to remove, which is no harm.
-    std::memcpy(entry.path.data(), path.c_str(), path.native().size() + 1);
-    entry.is_live = true;
-    number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (number >= 0) break;
-    entry.is_live = false;
-    if (errno != EEXIST) fail(target);
+  while (number < 0) {
+    number = file.open(folder_of(target) /
+                       (".sweepkit-" + std::to_string(::getpid()) + "-" + std::to_string(names++)));
+    if (number < 0 && errno != EEXIST) fail(target);
   }
   Descriptor descriptor(number, target);
   struct stat before = {};
   if (::stat(target.c_str(), &before) == 0) descriptor.set_mode(before.st_mode & 07777);
   descriptor.write(bytes);
   descriptor.close();
-  return entry;
+  return file;
 }
 
 }  // namespace
@@ -163,33 +228,30 @@ void check_output(const std::filesystem::path& file) {
 }
 
 void write_files(std::span<const OutputFile> files) {
-  static std::mutex one_at_a_time;
-  const std::lock_guard lock(one_at_a_time);
-  struct Rename {
-    Pending* from;
-    std::filesystem::path to;
-  };
-  std::vector<Rename> renames;
-  try {
-    for (const OutputFile& file : files) {
-      if (is_written_in_place(file.path)) continue;
-      const std::filesystem::path target = real_target(file.path);
-      renames.push_back({&write_beside(target, file.bytes), target});
-    }
-    for (const OutputFile& file : files) {
-      if (is_written_in_place(file.path)) write_in_place(file);
-    }
-    for (const auto& [from, to] : renames) {
-      if (std::rename(from->path.data(), to.c_str()) != 0) fail(to);
-      from->is_live = false;
-    }
-  } catch (...) {
-    abandon_writes();
-    throw;
+  std::vector<std::pair<FileBeside, std::filesystem::path>> renames;
+  renames.reserve(files.size());
+  for (const OutputFile& file : files) {
+    if (is_written_in_place(file.path)) continue;
+    std::filesystem::path target = real_target(file.path);
+    FileBeside beside = write_beside(target, file.bytes);
+    renames.emplace_back(std::move(beside), std::move(target));
+  }
+  for (const OutputFile& file : files) {
+    if (is_written_in_place(file.path)) write_in_place(file);
+  }
+  const Section section;  // all of the set or none
+  for (const auto& [beside, target] : renames) {
+    if (!beside.rename(target)) fail(target);
   }
 }
 
 void abandon_writes() noexcept {
+  is_abandoned = true;
+  // A section is one or two system calls. A disk that does not answer may leave a file behind; a Ctrl-C that
+  // does not answer would be worse.
+  constexpr int kMostWaits = 2000;
+  constexpr timespec kWait{.tv_sec = 0, .tv_nsec = 1'000'000};
+  for (int i = 0; i < kMostWaits && sections > 0; ++i) ::nanosleep(&kWait, nullptr);
   for (Pending* entry = pending; entry != nullptr; entry = entry->next) {
     if (entry->is_live.exchange(false)) ::unlink(entry->path.data());
   }

@@ -33,13 +33,26 @@ Placement read_placement(ObjectReader& reader) {
 struct Manner {
   std::optional<int> contour_cells;
   std::optional<int> trajectory_cells;
+  std::optional<double> tolerance;
   sweep::UvOptions uv;
   double crease_deg = 30;
 };
 
 void read_manner(ObjectReader& reader, Manner& manner) {
   if (const auto node = reader.find("tessellation")) {
+    // Said again it is said whole: counts of a part stand against its object's tolerance and the other way.
     ObjectReader cells(*node);
+    const std::optional<Node> tolerance = cells.find("tolerance");
+    if (tolerance) {
+      manner.tolerance = tolerance->number(kExtent);
+      for (const char* count : {"contour", "trajectory"}) {
+        if (const auto other = cells.find(count)) {
+          other->fail("counts cells, and \"tolerance\" finds how many there are to be; leave one out");
+        }
+      }
+    } else {
+      manner.tolerance.reset();
+    }
     if (const auto contour = cells.find("contour")) {
       manner.contour_cells = contour->integer(1, sweep::kMaxCells, " cells");
     }
@@ -63,9 +76,34 @@ void read_manner(ObjectReader& reader, Manner& manner) {
   }
 }
 
-sweep::Caps read_caps(ObjectReader& reader) {
+sweep::Caps read_sweep_caps(ObjectReader& reader) {
+  const auto node = reader.find("caps");
+  if (!node) return sweep::Caps::kFlat;
+  constexpr sweep::Caps kKinds[] = {sweep::Caps::kFlat, sweep::Caps::kRound, sweep::Caps::kNone};
+  return kKinds[node->choice({"flat", "round", "none"})];
+}
+
+sweep::Caps read_revolve_caps(ObjectReader& reader) {
   const auto node = reader.find("caps");
   return node && node->choice({"flat", "none"}) == 1 ? sweep::Caps::kNone : sweep::Caps::kFlat;
+}
+
+std::vector<sweep::MorphKey> read_morph(const Node& node, const std::filesystem::path& folder) {
+  std::vector<sweep::MorphKey> keys;
+  double before = 0;
+  for (const Node& item : node.items()) {
+    ObjectReader reader(item);
+    const Node at = reader.get("at");
+    const double t = at.number({.low = 0, .high = 1});
+    if (t <= before) {
+      at.fail(std::string("needs to be above ") + (keys.empty() ? "0, where the contour itself is" : "the one before"));
+    }
+    keys.push_back({t, read_contour(reader.get("contour"), folder)});
+    reader.finish();
+    before = t;
+  }
+  if (keys.empty()) node.fail("needs at least one contour to change into");
+  return keys;
 }
 
 sweep::Orientation read_orientation(ObjectReader& reader, const std::filesystem::path& folder) {
@@ -102,12 +140,14 @@ SweepShape read_sweep(const Node& node, const std::filesystem::path& folder) {
   const std::optional<Node> profile = reader.find("profile");
   const std::optional<Node> twist = reader.find("twist_deg");
   const sweep::Orientation orientation = read_orientation(reader, folder);
-  const sweep::Caps caps = read_caps(reader);
+  const sweep::Caps caps = read_sweep_caps(reader);
   const sweep::Joints joints = read_joints(reader);
   double miter_limit = sweep::SweepOptions{}.miter_limit;
   if (const auto limit = reader.find("miter_limit")) miter_limit = limit->number({.low = 1, .high = 1000});
+  const std::optional<Node> morph = reader.find("morph");
   reader.finish();
   return {read_contour(contour, folder),
+          morph ? read_morph(*morph, folder) : std::vector<sweep::MorphKey>{},
           read_trajectory(trajectory, folder),
           profile ? read_profile(*profile) : sweep::Profile{},
           twist ? read_twist(*twist) : sweep::Law(0),
@@ -124,7 +164,7 @@ RevolveShape read_revolve(const Node& node, const std::filesystem::path& folder)
   if (const auto angle_node = reader.find("angle_deg")) {
     angle = angle_node->number({.low = 1e-6, .high = 360, .unit = " degrees"});
   }
-  const sweep::Caps caps = read_caps(reader);
+  const sweep::Caps caps = read_revolve_caps(reader);
   reader.finish();
   return {read_contour(contour, folder), angle, caps};
 }
@@ -164,6 +204,7 @@ void set_manner(Piece& piece, const Manner& manner) {
   piece.tessellation = is_plane ? sweep::PlaneOptions{}.tessellation : sweep::Tessellation{};
   piece.tessellation.contour = manner.contour_cells.value_or(piece.tessellation.contour);
   piece.tessellation.trajectory = manner.trajectory_cells.value_or(piece.tessellation.trajectory);
+  piece.tessellation.tolerance = manner.tolerance;
   piece.uv = manner.uv;
   piece.crease_deg = manner.crease_deg;
 }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "sweepkit/sweep/mesh.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace sweepkit::sweep {
 
@@ -46,11 +48,28 @@ std::size_t Mesh::bytes() const {
   return n_vertices() * kVertexBytes + triangles.size() * sizeof(Triangle) + half_edge_bytes();
 }
 
+double largest_stretch(const glm::dmat3& map) {
+  const glm::dmat3 squares = glm::transpose(map) * map;
+  double most = 0;
+  for (int row = 0; row < 3; ++row) {
+    most = std::max(most, std::abs(squares[0][row]) + std::abs(squares[1][row]) + std::abs(squares[2][row]));
+  }
+  return std::sqrt(most);
+}
+
 void append(Mesh& mesh, const Mesh& part, const glm::dmat4& mesh_from_part) {
   assert(mesh.triangles.empty() || part.triangles.empty() || (mesh.n_faces() > 0) == (part.n_faces() > 0));
   const glm::dmat3 linear(mesh_from_part);
   const glm::dmat3 normal_from_part = glm::transpose(glm::inverse(linear));
   const bool is_mirrored = glm::determinant(linear) < 0;
+  const double stretch = largest_stretch(linear);
+  if (mesh.n_vertices() == 0) {
+    mesh.deviation = part.deviation ? std::optional(stretch * *part.deviation) : std::nullopt;
+  } else if (mesh.deviation && part.deviation) {
+    mesh.deviation = std::max(*mesh.deviation, stretch * *part.deviation);
+  } else {
+    mesh.deviation.reset();
+  }
   if (mesh.n_vertices() == 0) mesh.origin = glm::dvec3(mesh_from_part * glm::dvec4(part.origin, 1));
 
   const auto first_vertex = static_cast<std::uint32_t>(mesh.n_vertices());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include "float_positions.hpp"
 #include "grid_writer.hpp"
 #include "half_edges.hpp"
 #include "number_text.hpp"
@@ -14,6 +15,7 @@ namespace sweepkit::sweep {
 Mesh plane(glm::dvec2 size, const PlaneOptions& options) {
   check_cells(options.tessellation.contour, "x");
   check_cells(options.tessellation.trajectory, "z");
+  check_tolerance(options.tessellation.tolerance);
   check_texture(options.uv);
   if (!(size.x > 0 && size.y > 0) || !std::isfinite(size.x) || !std::isfinite(size.y)) {
     throw InputError("size needs to be above 0 m both ways, got " + number_text(size.x) + " x " +
@@ -32,6 +34,9 @@ Mesh plane(glm::dvec2 size, const PlaneOptions& options) {
       mesh.normals()[vertex] = {0, 1, 0};
       mesh.texcoords()[vertex] = glm::vec2(glm::dvec2(u, v) * options.uv.repeat);
     }
+  }
+  if (options.tessellation.tolerance) {
+    mesh.deviation = float_error({{-0.5 * size.x, 0, -0.5 * size.y}, {0.5 * size.x, 0, 0.5 * size.y}});
   }
   if (options.has_half_edges) write_half_edges(mesh);
   return mesh;

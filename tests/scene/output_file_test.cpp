@@ -12,6 +12,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "sweepkit/error.hpp"
 #include "unprivileged.hpp"
@@ -149,6 +150,56 @@ TEST_F(OutputFileTest, AbandoningAWriteRemovesWhatIsOnTheDisk) {
   };
   EXPECT_EXIT(run(), testing::ExitedWithCode(130), "");
   EXPECT_EQ(names(), std::set<std::string>{"pipe"});
+}
+
+TEST_F(OutputFileTest, ThreadsWriteSideBySide) {
+  constexpr int kThreads = 4;
+  constexpr int kFiles = 100;
+  std::vector<std::thread> threads;
+  threads.reserve(kThreads);
+  for (int t = 0; t < kThreads; ++t) {
+    threads.emplace_back([&, t] {
+      for (int i = 0; i < kFiles; ++i) {
+        const std::vector<std::byte> bytes = bytes_of(std::to_string(t * kFiles + i));
+        write_files(std::vector<OutputFile>{{folder_ / std::to_string(t * kFiles + i), bytes}});
+        // Failing does not touch what the others have on the way.
+        EXPECT_THROW(
+            write_files(std::vector<OutputFile>{{folder_ / "x", one_}, {folder_ / "none" / "b", two_}}),
+            OutputError);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(names().size(), static_cast<std::size_t>(kThreads * kFiles));
+  for (int i = 0; i < kThreads * kFiles; ++i) EXPECT_EQ(content(std::to_string(i)), std::to_string(i));
+}
+
+// The handler of Ctrl-C runs on one thread while the others go on writing: from then on none of them may
+// bring a name to the disk.
+TEST_F(OutputFileTest, AbandoningStopsTheWritesOfEveryThread) {
+  const std::vector<std::byte> bytes(1 << 16);
+  const auto run = [&] {
+    ::signal(SIGALRM, [](int) {
+      abandon_writes();
+      ::usleep(20000);  // time in which another thread would do harm
+      ::_exit(130);
+    });
+    ::ualarm(20000, 0);
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t) {
+      threads.emplace_back([&, t] {
+        while (true) write_files(std::vector<OutputFile>{{folder_ / std::to_string(t), bytes}});
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+  };
+  for (int round = 0; round < 10; ++round) {
+    EXPECT_EXIT(run(), testing::ExitedWithCode(130), "");
+    for (const std::string& name : names()) {
+      EXPECT_EQ(name.size(), 1u) << "left behind: " << name;
+      EXPECT_EQ(fs::file_size(folder_ / name), bytes.size()) << name;
+    }
+  }
 }
 
 TEST_F(OutputFileTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {

@@ -115,9 +115,7 @@ TEST(SceneFaults, KeysThatComeLaterAreNotTakenSilently) {
       "\"contour\": {\"circle\": {\"radius\": 1}}, \"trajectory\": {\"line\": [[0,0,0],[0,1,0]]}";
   for (const std::string& line :
        {std::string("\"plane\": {\"size\": [1, 1]}, \"instances\": []"),
-        std::string("\"mesh\": {\"file\": \"x\"}"),
-        std::string("\"plane\": {\"size\": [1, 1]}, \"tessellation\": {\"tolerance\": 1}"),
-        "\"sweep\": {" + straight + ", \"morph\": []}"}) {
+        std::string("\"mesh\": {\"file\": \"x\"}"), "\"sweep\": {" + straight + ", \"texture\": 1}"}) {
     EXPECT_NE(fault_of(with_object(line)).find("unknown key"), std::string::npos) << line;
   }
 }

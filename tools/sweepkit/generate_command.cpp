@@ -7,9 +7,8 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "output.hpp"
+#include "generate.hpp"
 #include "plan_table.hpp"
-#include "scene_input.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/gltf.hpp"
 #include "sweepkit/scene/model.hpp"
@@ -20,21 +19,7 @@ namespace {
 
 constexpr int kMostTexels = 16384;  // a side: kMostPixels in all
 
-struct Generate {
-  SceneInput input;
-  Output output;
-  std::string object;
-  scene::GltfOptions gltf;
-};
-
-void check_name(const std::string& file) {
-  if (file == "-") return;
-  const std::string extension = std::filesystem::path(file).extension();
-  if (extension != ".glb" && extension != ".gltf") {
-    throw InputError({.file = file}, "a model's name ends in .glb or .gltf");
-  }
-  scene::check_output(file);
-}
+constexpr int kMostThreads = 1024;
 
 void write(const scene::GltfFile& gltf, const std::filesystem::path& file) {
   std::vector<scene::OutputFile> files;
@@ -45,12 +30,13 @@ void write(const scene::GltfFile& gltf, const std::filesystem::path& file) {
   scene::write_files(files);
 }
 
-void generate(const Generate& command) {
+void generate_one(const Generate& command) {
   const auto start = std::chrono::steady_clock::now();
   const Output& output = command.output;
-  if (output.file.empty() && !output.explains) throw InputError("-o FILE is needed (or --explain)");
-  if (!output.file.empty()) check_name(output.file);
-
+  if (!output.file.empty()) {
+    check_model_name(output.file);
+    scene::check_output(output.file);
+  }
   scene::Document document = read_scene(command.input);
   if (!command.object.empty()) keep_object(document, command.object);
   const scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kMeshFile});
@@ -58,28 +44,54 @@ void generate(const Generate& command) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
   }
-  const scene::Model model = scene::build(document, plan);
-  const scene::GltfFile gltf = scene::make_gltf(model.scene, plan, output.file, command.gltf);
-  write(gltf, output.file);
-
-  if (output.explains) {
-    scene::Ledger ledger = model.ledger;
-    ledger.add(gltf.ledger);
-    print({{}, {plan_table(plan, ledger)}}, output);
-  }
-  std::size_t triangles = 0;
-  for (const scene::MeshView& mesh : model.scene.meshes) triangles += mesh.triangles.size();
-  std::size_t bytes = 0;
-  for (const scene::NamedBytes& part : gltf.files) bytes += part.bytes.size();
+  const MadeFile made = make_file(document, plan, output.file, command.gltf);
+  if (output.explains) print({{}, {plan_table(plan, made.ledger)}}, output);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  say((output.is_standard() ? "standard output" : output.file) + ": " +
-          std::to_string(model.scene.objects.size()) +
-          (model.scene.objects.size() == 1 ? " object, " : " objects, ") + std::to_string(triangles) +
-          " triangles, " + std::to_string(bytes) + " bytes in " + duration_text(seconds),
+  say((output.is_standard() ? "standard output" : output.file) + ": " + std::to_string(made.objects) +
+          (made.objects == 1 ? " object, " : " objects, ") + std::to_string(made.triangles) + " triangles" +
+          (made.deviation ? " (by tolerance: within " + length_text(*made.deviation) + ")" : "") + ", " +
+          std::to_string(made.bytes) + " bytes in " + duration_text(seconds),
       output);
 }
 
+void generate(const Generate& command) {
+  const Output& output = command.output;
+  if (output.is_json && !output.explains && command.values.empty()) {
+    throw InputError({.file = "--json"}, "prints tables; add --explain or --each");
+  }
+  if (output.file.empty() && !output.explains) throw InputError("-o FILE is needed (or --explain)");
+  if (command.values.empty()) {
+    generate_one(command);
+  } else {
+    generate_each(command);
+  }
+}
+
 }  // namespace
+
+void check_model_name(const std::string& file) {
+  if (file == "-") return;
+  const std::string extension = std::filesystem::path(file).extension();
+  if (extension != ".glb" && extension != ".gltf") {
+    throw InputError({.file = file}, "a model's name ends in .glb or .gltf");
+  }
+}
+
+MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
+                   const scene::GltfOptions& options) {
+  const scene::Model model = scene::build(document, plan, options.images);
+  const scene::GltfFile gltf = scene::make_gltf(model.scene, plan, file, options);
+  write(gltf, file);
+  MadeFile made{.objects = model.scene.objects.size(), .ledger = model.ledger};
+  made.ledger.add(gltf.ledger);
+  for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
+  for (const scene::NamedBytes& part : gltf.files) made.bytes += part.bytes.size();
+  for (const scene::Object& object : model.scene.objects) {
+    const std::optional<double> deviation = scene::deviation_of(model, object);
+    if (deviation) made.deviation = std::max(made.deviation.value_or(0), *deviation);
+  }
+  return made;
+}
 
 void add_generate(CLI::App& app) {
   const auto command = std::make_shared<Generate>();
@@ -87,8 +99,16 @@ void add_generate(CLI::App& app) {
   add_scene_input(sub, command->input);
   sub.add_option("-o", command->output.file,
                  "Ends in .glb (all in one) or .gltf (buffer and images beside it); - is a .glb to standard "
-                 "output")
+                 "output. With --each a pattern such as vase_{row}.glb")
       ->type_name("FILE");
+  CLI::Option* each =
+      sub.add_option("--each", command->values, "Make a file for each row of this table, as told below")
+          ->type_name("VALUES.csv");
+  sub.add_option("--threads", command->threads,
+                 "Threads for --each; without it as many as the machine has. The files are the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads))
+      ->needs(each);
   sub.add_option("--object", command->object, "This object alone")->type_name("NAME");
   sub.add_option("--bake-size", command->gltf.bake_size,
                  "Texels on a side of the image that a procedural texture becomes")
@@ -96,8 +116,19 @@ void add_generate(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
   add_explain(sub, command->output);
+  add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);
-  sub.footer("Example:\n  sweepkit generate samples/scenes/vase_and_cup.json -o vase_and_cup.glb");
+  sub.footer(
+      "The table of --each is CSV. Its first row holds pointers such as /objects/0/sweep/twist_deg,\n"
+      "every other row the values that the scene gets there, as --set has them and after --set; an\n"
+      "empty cell leaves the scene's own. In -o's name {row} is the row's number and {POINTER} the\n"
+      "row's value in that column. A row that cannot be made is reported, the others are made, and\n"
+      "the exit status is 2. --explain tells what any row needs and what all cost; without -o it\n"
+      "reads every row and makes none.\n\n"
+      "Examples:\n"
+      "  sweepkit generate samples/scenes/vase_and_cup.json -o vase_and_cup.glb\n"
+      "  sweepkit generate samples/scenes/vase_and_cup.json --object vase --each samples/tables/vases.csv "
+      "-o vase_{row}.glb");
   sub.callback([command] { generate(*command); });
 }
 

@@ -66,13 +66,16 @@ Report scene_report(const std::string& file) {
   Record total = {{"object", std::string("(all)")},
                   {"triangles", std::uint64_t{0}},
                   {"vertices", std::uint64_t{0}},
+                  {"deviation", {}},
                   {"material", {}}};
   for (const scene::Object& object : model.scene.objects) {
     const scene::MeshView& mesh = model.scene.meshes[object.mesh];
+    const std::optional<double> deviation = scene::deviation_of(model, object);
     objects.rows.push_back(
         {{"object", object.name},
          {"triangles", std::uint64_t{mesh.triangles.size()}},
          {"vertices", std::uint64_t{mesh.positions.size()}},
+         {"deviation", deviation ? Value(*deviation) : Value()},
          {"material", object.material ? Value(document.materials[*object.material].name) : Value()}});
     std::get<std::uint64_t>(total[1].second) += mesh.triangles.size();
     std::get<std::uint64_t>(total[2].second) += mesh.positions.size();

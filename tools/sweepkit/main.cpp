@@ -5,17 +5,18 @@
 // any work; 128 + n ended by signal n, which is 130 for Ctrl-C. An error is one line on standard error.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "memory.hpp"
+#include "output.hpp"
 #include "sweepkit/error.hpp"
 
 namespace {
@@ -24,10 +25,7 @@ constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 
 int fail(int status, std::string message) {
-  // File names may hold anything; the message stays one line.
-  std::replace_if(
-      message.begin(), message.end(), [](char c) { return c >= 0 && c < 0x20; }, ' ');
-  std::fprintf(stderr, "sweepkit: %s\n", message.c_str());
+  sweepkit::tools::complain(std::move(message));
   return status;
 }
 

@@ -3,6 +3,7 @@
 #include "output.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -13,10 +14,12 @@ void add_quiet(CLI::App& command, Output& output) {
 }
 
 void add_explain(CLI::App& command, Output& output) {
-  CLI::Option* explain =
-      command.add_flag("--explain", output.explains,
-                       "Print what the scene needs, what is left out, and why; without -o no more");
-  command.add_flag("--json", output.is_json, "Print the table of --explain as JSON")->needs(explain);
+  command.add_flag("--explain", output.explains,
+                   "Print what the scene needs, what is left out, and why; without -o no more");
+}
+
+CLI::Option* add_json(CLI::App& command, Output& output, const std::string& what) {
+  return command.add_flag("--json", output.is_json, what);
 }
 
 void add_picture_output(CLI::App& command, Output& output, const std::string& what) {
@@ -40,8 +43,21 @@ void print(const Report& report, const Output& output) {
   std::fputs(text.c_str(), output.is_standard() ? stderr : stdout);
 }
 
+void complain(std::string message) {
+  // File names may hold anything; the message stays one line.
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return c >= 0 && c < 0x20; }, ' ');
+  std::fprintf(stderr, "sweepkit: %s\n", message.c_str());
+}
+
 void say(const std::string& line, const Output& output) {
   if (!output.is_quiet) std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+std::string length_text(double metres) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.2g m", metres);
+  return buffer;
 }
 
 std::string duration_text(double seconds) {

@@ -9,7 +9,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace sweepkit::tools {
 
@@ -27,6 +28,7 @@ struct Output {
 
 void add_quiet(CLI::App& command, Output& output);
 void add_explain(CLI::App& command, Output& output);
+CLI::Option* add_json(CLI::App& command, Output& output, const std::string& what);
 void add_picture_output(CLI::App& command, Output& output, const std::string& what);
 
 /// The format a picture is to be written in; PNG where neither --format nor a name tells. Throws InputError.
@@ -38,7 +40,13 @@ void print(const Report& report, const Output& output);
 /// Says in a line on standard error what was done, unless it is to be quiet.
 void say(const std::string& line, const Output& output);
 
+/// An error in a line on standard error, in the program's name.
+void complain(std::string message);
+
 /// "0.84 s", "12 ms".
 std::string duration_text(double seconds);
+
+/// "0.00097 m": a length to two digits, which is what one asks of an error.
+std::string length_text(double metres);
 
 }  // namespace sweepkit::tools

@@ -20,7 +20,12 @@ constexpr int kCells = 40;
 Progress::Progress(bool is_quiet) : is_wanted_(!is_quiet && isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
+  clear();
+}
+
+void Progress::clear() {
   if (is_drawn_) std::fputs("\r\x1b[K", stderr);
+  is_drawn_ = false;
 }
 
 std::function<void(double)> Progress::callback() {

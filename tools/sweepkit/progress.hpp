@@ -19,6 +19,9 @@ class Progress {
   /// wanted. Valid while this object lives.
   std::function<void(double)> callback();
 
+  /// Takes the bar away, so that a line can be printed; the next call of the callback brings it back.
+  void clear();
+
  private:
   using Clock = std::chrono::steady_clock;
 

@@ -158,6 +158,7 @@ void add_render(CLI::App& app) {
   sub.add_option("--stats", command->statistics, "Write counters, times and the plan as JSON")
       ->type_name("FILE");
   add_explain(sub, command->output);
+  add_json(sub, command->output, "Print the table of --explain as JSON")->needs(sub.get_option("--explain"));
   add_quiet(sub, command->output);
   sub.footer(
       "Example:\n  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png --antialias 3x3");

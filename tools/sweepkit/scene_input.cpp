@@ -19,8 +19,9 @@ void add_scene_input(CLI::App& command, SceneInput& input) {
       ->allow_extra_args(false);
 }
 
-scene::Document read_scene(const SceneInput& input) {
+scene::SceneFile open_scene(const SceneInput& input) {
   std::vector<scene::Setting> settings;
+  settings.reserve(input.settings.size());
   for (const std::string& text : input.settings) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) {
@@ -29,7 +30,13 @@ scene::Document read_scene(const SceneInput& input) {
     }
     settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
-  return scene::read_document(input.file, settings);
+  scene::SceneFile scene(input.file);
+  for (const scene::Setting& setting : settings) scene.set(setting);
+  return scene;
+}
+
+scene::Document read_scene(const SceneInput& input) {
+  return open_scene(input).document();
 }
 
 void keep_object(scene::Document& document, const std::string& name) {

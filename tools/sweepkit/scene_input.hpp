@@ -22,7 +22,11 @@ struct SceneInput {
 
 void add_scene_input(CLI::App& command, SceneInput& input);
 
-/// Throws InputError: a setting without "=", or what scene::read_document() finds.
+/// The file with --set done to it, for documents that differ in more values. Throws InputError: a setting
+/// without "=", or what scene::SceneFile finds.
+scene::SceneFile open_scene(const SceneInput& input);
+
+/// Its document. Throws InputError as that does.
 scene::Document read_scene(const SceneInput& input);
 
 /// Leaves the named object alone in the document, so that nothing else is planned, made or read. Throws

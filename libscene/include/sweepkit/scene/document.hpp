@@ -4,8 +4,9 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
-#include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,6 +36,7 @@ struct SweepShape {
   /// One outline, or several that bound one region, holes inside outer ones. Not empty. Closed outlines of a
   /// filled region run with it on their left.
   std::vector<sweep::Curve2> contour;
+  std::vector<sweep::MorphKey> morph;
   sweep::Curve3 trajectory;
   sweep::Profile profile;
   sweep::Law twist_deg = 0;
@@ -58,7 +60,7 @@ struct PlaneShape {
 struct Piece {
   std::variant<PlaneShape, SweepShape, RevolveShape> shape;
   Placement placement;               ///< object from piece
-  sweep::Tessellation tessellation;  ///< what the file leaves out is 64, for a plane 1
+  sweep::Tessellation tessellation;  ///< counts that the file leaves out are 64, for a plane 1
   sweep::UvOptions uv;
   double crease_deg = 30;
   Place place;  ///< for messages about the geometry
@@ -101,17 +103,48 @@ struct Document {
   std::vector<ObjectEntry> objects;  ///< not empty; names are unique
 };
 
-/// --set POINTER=VALUE: VALUE is JSON, or else a string.
+/// A value that takes another's place in a scene: POINTER (RFC 6901; the last part may be a new key, or "-"
+/// to append to an array) and VALUE, which is JSON, or else a string.
 struct Setting {
   std::string pointer;
   std::string value;
+  Place place = {.file = "--set"};          ///< of the value, for messages
+  Place pointer_place = {.file = "--set"};  ///< of the pointer
 };
 
-/// Reads a scene file (design: scene format version 1; // comments allowed). Throws InputError with file,
-/// line, column and JSON pointer.
+struct JsonDocument;
+
+/// A scene file (design: scene format version 1; // comments allowed), parsed once: documents that differ in
+/// a few values are read from it without the text.
+class SceneFile {
+ public:
+  /// Throws InputError with file, line and column: missing, unreadable, over 256 MiB, no JSON.
+  explicit SceneFile(const std::filesystem::path& file);
+  /// The same from text; `file` names it in messages and is what file names are relative to.
+  SceneFile(const std::string& text, const std::filesystem::path& file);
+  SceneFile(SceneFile&&) noexcept;
+  SceneFile& operator=(SceneFile&&) noexcept;
+  ~SceneFile();
+
+  /// Changes a value for every document to come. Throws InputError where the pointer leads nowhere.
+  void set(const Setting& setting);
+
+  /// The scene with these values set, in order; the file itself stays as it is, so that any number of threads
+  /// may ask at once. Throws InputError with file, line, column and JSON pointer.
+  Document document(std::span<const Setting> settings = {}) const;
+
+  /// Throws InputError at `place` if set() with this pointer would find nothing to set.
+  void check_pointer(const std::string& pointer, const Place& place) const;
+
+ private:
+  std::unique_ptr<JsonDocument> json_;
+  std::filesystem::path folder_;
+};
+
+/// A file's only document, with the settings in order. Throws as SceneFile does.
 Document read_document(const std::filesystem::path& file, const std::vector<Setting>& settings = {});
 
-/// The same from text; `file` names it in messages and is what file names are relative to.
+/// The same from text.
 Document parse_document(const std::string& text, const std::filesystem::path& file,
                         const std::vector<Setting>& settings = {});
 

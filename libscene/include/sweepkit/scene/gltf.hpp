@@ -13,9 +13,12 @@
 
 namespace sweepkit::scene {
 
+class ImageStore;
+
 struct GltfOptions {
   std::optional<std::string> object;  ///< this object alone
   int bake_size = 1024;               ///< texels on a side of a baked procedural texture
+  ImageStore* images = nullptr;       ///< keeps encoded and baked images for the files to come
 };
 
 struct NamedBytes {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sweepkit/scene/document.hpp"
@@ -11,6 +12,8 @@
 #include "sweepkit/sweep/mesh.hpp"
 
 namespace sweepkit::scene {
+
+class ImageStore;
 
 /// A Scene together with the meshes its views look at. Moving it keeps the views valid; it is not copied.
 struct Model {
@@ -25,9 +28,13 @@ struct Model {
   Model& operator=(const Model&) = delete;
 };
 
+/// The largest distance of an object's mesh from its surface in the world, metres; nothing where a part of it
+/// was divided by counts.
+std::optional<double> deviation_of(const Model& model, const Object& object);
+
 /// Makes the document's meshes and reads the textures that the plan needs. Without a camera the picture
-/// frames the scene; a light is added only where lights and ambient are both absent. Throws InputError with
-/// the place of the object or texture at fault.
-Model build(const Document& document, const Plan& plan);
+/// frames the scene; a light is added only where lights and ambient are both absent. Images come from
+/// `images` where there is a store. Throws InputError with the place of the object or texture at fault.
+Model build(const Document& document, const Plan& plan, ImageStore* images = nullptr);
 
 }  // namespace sweepkit::scene

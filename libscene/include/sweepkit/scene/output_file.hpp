@@ -21,10 +21,11 @@ struct OutputFile {
 
 /// Writes the files whole or not at all: each beside its place under another name, checked to the disk, then
 /// renamed, in the order given (so the file that names the others goes last). "-" goes to standard output.
-/// Throws OutputError (disk full, ...) and leaves nothing behind.
+/// Any number of threads may write at once. Throws OutputError (disk full, ...) and leaves nothing behind.
 void write_files(std::span<const OutputFile> files);
 
-/// Removes what a write in progress has on the disk. Async-signal-safe: for the handler of Ctrl-C.
+/// Removes what writes in progress, on any thread, have on the disk, and lets none of them go on. For the
+/// handler of Ctrl-C, which then ends the process: async-signal-safe.
 void abandon_writes() noexcept;
 
 }  // namespace sweepkit::scene

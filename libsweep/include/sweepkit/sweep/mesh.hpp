@@ -29,7 +29,8 @@ class Mesh : public OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
   std::vector<GridPatch> patches;  ///< in order of their triangles; caps belong to none
   std::vector<Area> areas;         ///< in order; together all triangles
   glm::dvec3 origin{0.0};
-  /// Where a tolerance was asked for: the largest distance measured between the surface and the mesh, metres.
+  /// The largest distance measured between the surface and the mesh, metres, where a tolerance was
+  /// asked for.
   std::optional<double> deviation;
 
   /// Spans over OpenMesh's own storage, valid until the number of vertices changes.
@@ -45,9 +46,13 @@ class Mesh : public OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
   std::size_t half_edge_bytes() const;
 };
 
+/// The most by which a linear map lengthens a distance: exact where its columns are perpendicular, as of
+/// scaling before turning, and a bound on it otherwise.
+double largest_stretch(const glm::dmat3& map);
+
 /// Appends `part`, moved by `mesh_from_part` (affine and invertible; a mirroring one turns the triangles
-/// round), with its patches, areas and half-edges. Precondition: both have half-edges or neither, unless one
-/// is empty.
+/// round), with its patches, areas and half-edges; the deviation is known where it is of both. Precondition:
+/// both have half-edges or neither, unless one is empty.
 void append(Mesh& mesh, const Mesh& part, const glm::dmat4& mesh_from_part);
 
 }  // namespace sweepkit::sweep

@@ -25,6 +25,8 @@ struct Procedural {
   std::vector<double> widths;     ///< bands: one a colour
   double turbulence = 5;          ///< marble: how far the veins are bent
   int octaves = 6;                ///< marble
+
+  bool operator==(const Procedural&) const = default;
 };
 
 /// The value at one point. Throws nothing; defined for every finite input.

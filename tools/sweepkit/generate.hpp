@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "output.hpp"
+#include "scene_input.hpp"
+#include "sweepkit/scene/gltf.hpp"
+#include "sweepkit/scene/plan.hpp"
+
+namespace sweepkit::tools {
+
+/// What `generate` was asked for.
+struct Generate {
+  SceneInput input;
+  Output output;
+  std::string object;  ///< this one alone; empty: all
+  std::string values;  ///< --each: a table of values, a file a row; empty: one file
+  int threads = 0;     ///< for --each; 0: as many as the machine has
+  scene::GltfOptions gltf;
+};
+
+/// Refuses a name that is no model's. Throws InputError.
+void check_model_name(const std::string& file);
+
+struct MadeFile {
+  std::uint64_t objects = 0;
+  std::uint64_t triangles = 0;
+  std::optional<double> deviation;  ///< the largest that is known of an object in the world, metres
+  std::uint64_t bytes = 0;          ///< with what stands beside it
+  scene::Ledger ledger;
+};
+
+/// Makes the document's objects and writes them to `file`, and to what a .gltf has beside it. Throws
+/// InputError for geometry and images that cannot be used, OutputError for the disk.
+MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
+                   const scene::GltfOptions& options);
+
+/// --each: a file for each row of the table, on all cores. A row that cannot be made is reported in a line
+/// and the others are made; at the end that throws InputError with how many of each. Throws InputError before
+/// any work for a table, a pointer or a pattern of names that cannot be, and OutputError at once when the
+/// disk fails.
+void generate_each(const Generate& command);
+
+}  // namespace sweepkit::tools
