@@ -73,6 +73,7 @@ class GridFitter {
  private:
   Grid fit_columns(double bound, double width) const {
     Grid best;
+    double best_share = 1;
     std::size_t least = std::numeric_limits<std::size_t>::max();
     int worse = 0;
     std::vector<std::vector<std::size_t>> before;
@@ -86,15 +87,17 @@ class GridFitter {
       if (cells_of(grid) < least) {
         least = cells_of(grid);
         best = std::move(grid);
+        best_share = share;
         worse = 0;
       }
     }
     best.deviation = deviation_of(best, dense_, lengths_);
-    // Some of the cells chose the rows; what all of them show may ask for a little less.
-    double row_bound = bound;
-    while (best.deviation > bound && row_bound > 1e-3 * bound) {
-      row_bound *= std::clamp(0.97 * bound / best.deviation, 0.5, 0.97);
-      best.rows = cut_rows(best.columns, row_bound);
+    // Some places chose the cuts; what all of them show may ask for a little less.
+    double target = bound;
+    while (best.deviation > bound && target > 1e-2 * bound) {
+      target *= std::clamp(0.99 * bound / best.deviation, 0.5, 0.98);
+      best.columns = cut_columns(best_share * target, width);
+      best.rows = cut_rows(best.columns, target);
       best.deviation = deviation_of(best, dense_, lengths_);
     }
     return best;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <glm/glm.hpp>
 #include <limits>
-#include <map>
+#include <tuple>
 #include <vector>
 
 #include "mesh_measures.hpp"
@@ -31,33 +31,47 @@ inline double distance_to_triangle(const glm::dvec3& p, const glm::dvec3& a, con
   return is_above ? std::abs(glm::dot(n, p - a)) / glm::length(n) : nearest;
 }
 
-/// The wall of a mesh of one outline as a grid over (u,v).
+/// The wall of one outline of a mesh as a grid over (u,v).
 class WallGrid {
  public:
-  explicit WallGrid(const Mesh& mesh) {
-    std::map<std::pair<float, float>, glm::dvec3> places;
-    for (const GridPatch& patch : mesh.patches) {
-      if (patch.area != 0) continue;
-      for (std::uint32_t k = 0; k < patch.vertex_count(); ++k) {
-        const std::uint32_t vertex = patch.first_vertex + k;
-        const glm::vec2 uv = mesh.texcoords()[vertex];
-        places[{uv.y, uv.x}] = position(mesh, vertex);
-        u_.push_back(uv.x);
-        v_.push_back(uv.y);
-      }
+  explicit WallGrid(const Mesh& mesh, std::size_t outline = 0) {
+    struct Vertex {
+      float v, u;
+      std::uint32_t index;
+    };
+    std::vector<Vertex> vertices;
+    for (const std::uint32_t vertex : wall_vertices(mesh, outline)) {
+      const glm::vec2 uv = mesh.texcoords()[vertex];
+      vertices.push_back({uv.y, uv.x, vertex});
     }
-    for (std::vector<float>* line : {&u_, &v_}) {
-      std::sort(line->begin(), line->end());
-      line->erase(std::unique(line->begin(), line->end()), line->end());
+    std::sort(vertices.begin(), vertices.end(),
+              [](const Vertex& a, const Vertex& b) { return std::tie(a.v, a.u) < std::tie(b.v, b.u); });
+    for (const Vertex& vertex : vertices) {
+      u_.push_back(vertex.u);
+      if (v_.empty() || v_.back() != vertex.v) v_.push_back(vertex.v);
     }
+    std::sort(u_.begin(), u_.end());
+    u_.erase(std::unique(u_.begin(), u_.end()), u_.end());
+    std::size_t next = 0;
     for (const float v : v_) {
       for (const float u : u_) {
         // A pole lacks the first or the last column, where it is the same place.
-        const auto found = places.lower_bound({v, u});
-        const auto same = found != places.end() && found->first.first == v ? found : std::prev(found);
-        points_.push_back(same->second);
+        while (next < vertices.size() && std::tie(vertices[next].v, vertices[next].u) < std::tie(v, u))
+          ++next;
+        const bool is_there = next < vertices.size() && vertices[next].v == v;
+        points_.push_back(position(mesh, vertices[is_there ? next : next - 1].index));
       }
     }
+  }
+
+  /// The vertices of an outline's wall: each is an area of its own.
+  static std::vector<std::uint32_t> wall_vertices(const Mesh& mesh, std::size_t outline) {
+    std::vector<std::uint32_t> vertices;
+    for (const GridPatch& patch : mesh.patches) {
+      if (patch.area != outline) continue;
+      for (std::uint32_t k = 0; k < patch.vertex_count(); ++k) vertices.push_back(patch.first_vertex + k);
+    }
+    return vertices;
   }
 
   std::size_t cells() const { return (u_.size() - 1) * (v_.size() - 1); }
@@ -106,15 +120,11 @@ class WallGrid {
 
 /// The largest distance of the vertices of a far finer wall from a wall. What float32 makes of the finer
 /// one's places is in it.
-inline double largest_distance(const Mesh& fine, const Mesh& coarse) {
-  const WallGrid grid(coarse);
+inline double largest_distance(const Mesh& fine, const Mesh& coarse, std::size_t outline = 0) {
+  const WallGrid grid(coarse, outline);
   double largest = 0;
-  for (const GridPatch& patch : fine.patches) {
-    if (patch.area != 0) continue;
-    for (std::uint32_t k = 0; k < patch.vertex_count(); ++k) {
-      const std::uint32_t vertex = patch.first_vertex + k;
-      largest = std::max(largest, grid.distance(position(fine, vertex), fine.texcoords()[vertex], largest));
-    }
+  for (const std::uint32_t vertex : WallGrid::wall_vertices(fine, outline)) {
+    largest = std::max(largest, grid.distance(position(fine, vertex), fine.texcoords()[vertex], largest));
   }
   return largest;
 }
