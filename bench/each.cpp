@@ -66,26 +66,31 @@ int compare_ways(const fs::path& folder) {
   };
   run(folder, "-o reference.glb " + setting_of(kProcesses));
   const std::string reference = read(folder / "reference.glb");
+  // A new folder for each run, and nothing removed before the end: ext4 is slow to make files while it
+  // remembers, for some seconds, a thousand that were removed.
+  int runs = 0;
+  std::string out;
   const auto prepare = [&] {
-    fs::remove_all(folder / "out");
-    fs::create_directory(folder / "out");
+    out = "out" + std::to_string(++runs);
+    fs::create_directory(folder / out);
   };
   const auto check = [&](int files) {
-    const auto made = std::distance(fs::directory_iterator(folder / "out"), fs::directory_iterator());
+    const auto made = std::distance(fs::directory_iterator(folder / out), fs::directory_iterator());
     if (made != files) return std::to_string(made) + " files";
-    const fs::path file = folder / "out" / (row_number(kProcesses) + ".glb");
+    const fs::path file = folder / out / (row_number(kProcesses) + ".glb");
     return read(file) == reference ? std::string() : file.string() + " differs from a process's";
   };
   const auto each = [&](const std::string& name, const std::string& more) {
     return bench::Contender{name,
-                            [&folder, more] { run(folder, "--each values.csv -o out/{row}.glb " + more); },
+                            [&, more] { run(folder, "--each values.csv -o " + out + "/{row}.glb " + more); },
                             [&] { return check(kRows); }, prepare};
   };
   int next = 0;
   const bench::Contender process{"process",
                                  [&] {
                                    const int row = ++next;
-                                   run(folder, "-o out/" + row_number(row) + ".glb " + setting_of(row));
+                                   run(folder,
+                                       "-o " + out + '/' + row_number(row) + ".glb " + setting_of(row));
                                  },
                                  [&] { return check(kProcesses); },
                                  [&] {

@@ -20,8 +20,8 @@ struct Case {
   std::vector<std::string> more;
 };
 
-void PrintTo(const Case& c, std::ostream* stream) {
-  *stream << c.message;
+std::ostream& operator<<(std::ostream& stream, const Case& c) {
+  return stream << c.message;
 }
 
 class EachRefuses : public testing::TestWithParam<Case> {};

@@ -123,6 +123,7 @@ TEST_F(OutputFileTest, DevicesAreWrittenToAsTheyAre) {
 
 TEST_F(OutputFileTest, MoreFilesThanAnySceneHasImages) {
   std::vector<OutputFile> files;
+  files.reserve(300);
   for (int i = 0; i < 300; ++i) files.push_back({folder_ / std::to_string(i), one_});
   write_files(files);
   EXPECT_EQ(names().size(), 300u);
@@ -186,6 +187,7 @@ TEST_F(OutputFileTest, AbandoningStopsTheWritesOfEveryThread) {
     });
     ::ualarm(20000, 0);
     std::vector<std::thread> threads;
+    threads.reserve(4);
     for (int t = 0; t < 4; ++t) {
       threads.emplace_back([&, t] {
         while (true) write_files(std::vector<OutputFile>{{folder_ / std::to_string(t), bytes}});
