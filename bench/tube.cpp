@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The same tube from sweepkit and from VTK's vtkTubeFilter, positions, normals, texture coordinates and
-// triangles from both: a circle along a helix, VTK's helix given as points. One thread: VTK 9.1's filter knows no more. Every run makes its
-// mesh anew in fresh memory and frees it in the time of the next one's start. VTK writes triangle strips and
-// no half-edges.
+// triangles from both: a circle along a helix, VTK's helix given as points. One thread: VTK 9.1's filter
+// knows no more. Every run makes its mesh anew in fresh memory and frees it in the time of the next one's
+// start. VTK writes triangle strips and no half-edges.
 //
 // Usage: bench_tube [FILE.csv]
 
@@ -120,14 +120,14 @@ int compare_tubes(const char* csv_name) {
                                         .caps = sweep::Caps::kNone,
                                         .has_half_edges = has_half_edges})));
     };
-    comparisons.push_back(bench::compare(
-        std::string("tube_") + size.name,
-        {{"vtk", [&] { vtk.make(line, size.sides); }, [&] { return vtk.wrong(); },
-          [&] { vtk.tube = nullptr; }},
-         {"sweepkit", [&] { plain = make(false); }, [&] { return wrong_with(*plain, size, false); },
-          [&] { plain.reset(); }},
-         {"sweepkit_half_edges", [&] { whole = make(true); }, [&] { return wrong_with(*whole, size, true); },
-          [&] { whole.reset(); }}}));
+    comparisons.push_back(
+        bench::compare(std::string("tube_") + size.name,
+                       {{"vtk", [&] { vtk.make(line, size.sides); }, [&] { return vtk.wrong(); },
+                         [&] { vtk.tube = nullptr; }},
+                        {"sweepkit", [&] { plain = make(false); },
+                         [&] { return wrong_with(*plain, size, false); }, [&] { plain.reset(); }},
+                        {"sweepkit_half_edges", [&] { whole = make(true); },
+                         [&] { return wrong_with(*whole, size, true); }, [&] { whole.reset(); }}}));
     std::fputs(bench::to_table(comparisons.back()).c_str(), stdout);
     const std::vector<double> points = {static_cast<double>(vtk.tube->GetNumberOfPoints()),
                                         static_cast<double>(plain->n_vertices()),

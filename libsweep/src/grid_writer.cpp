@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "first_touch.hpp"
 #include "sweepkit/error.hpp"
 
 namespace sweepkit::sweep {
@@ -70,7 +71,7 @@ void lay_out_wall(Mesh& mesh, const std::vector<Run>& column_runs, const std::ve
   }
   add_vertices(mesh, vertices - mesh.n_vertices());
   area.triangle_count = static_cast<std::uint32_t>(triangles - mesh.triangles.size());
-  mesh.triangles.resize(triangles);
+  resize_to_fill(mesh.triangles, triangles);
   for (std::size_t i = first_patch; i < mesh.patches.size(); ++i)
     write_triangles(mesh.triangles, mesh.patches[i]);
   mesh.areas.push_back(area);
@@ -78,6 +79,14 @@ void lay_out_wall(Mesh& mesh, const std::vector<Run>& column_runs, const std::ve
 
 std::uint32_t add_vertices(Mesh& mesh, std::size_t count) {
   const auto first = static_cast<std::uint32_t>(mesh.n_vertices());
+  if (count > 0) {
+    // OpenMesh keeps its vectors to itself: with one vertex more the room reserved behind it can be seen.
+    mesh.reserve(first + count, mesh.n_edges(), mesh.n_faces());
+    mesh.resize(first + 1, mesh.n_edges(), mesh.n_faces());
+    prepare_first_touch(mesh.positions().data() + first, count * sizeof(glm::vec3));
+    prepare_first_touch(mesh.normals().data() + first, count * sizeof(glm::vec3));
+    prepare_first_touch(mesh.texcoords().data() + first, count * sizeof(glm::vec2));
+  }
   mesh.resize(first + count, mesh.n_edges(), mesh.n_faces());
   return first;
 }

@@ -25,21 +25,21 @@ std::vector<Run> split_runs(const std::vector<bool>& breaks);
 void lay_out_wall(Mesh& mesh, const std::vector<Run>& column_runs, const std::vector<Run>& row_runs,
                   const std::vector<bool>& pole_rows, glm::dvec2 period);
 
-/// Visits the vertices of a wall laid out so, in their order: `visit(vertex, column, row, column run, row
-/// run)`.
+/// Visits the rows of vertices of a wall laid out so, in their order: `visit(first vertex, index of the
+/// column run, row, first column, last column, does the row begin its run)`.
 template <class Visit>
-void for_each_wall_vertex(std::uint32_t first_vertex, const std::vector<Run>& column_runs,
-                          const std::vector<Run>& row_runs, const std::vector<bool>& pole_rows,
-                          Visit&& visit) {
+void for_each_wall_row(std::uint32_t first_vertex, const std::vector<Run>& column_runs,
+                       const std::vector<Run>& row_runs, const std::vector<bool>& pole_rows, Visit&& visit) {
   std::size_t vertex = first_vertex;
   for (const Run& rows : row_runs) {
     if (rows.last - rows.first == 1 && pole_rows[rows.first] && pole_rows[rows.last]) continue;
-    for (const Run& columns : column_runs) {
+    for (std::size_t run = 0; run < column_runs.size(); ++run) {
       for (std::size_t j = rows.first; j <= rows.last; ++j) {
         // A pole row has a vertex a triangle (GridPatch).
-        const std::size_t first = columns.first + (pole_rows[j] && j == rows.first ? 1 : 0);
-        const std::size_t last = columns.last - (pole_rows[j] && j == rows.last ? 1 : 0);
-        for (std::size_t i = first; i <= last; ++i, ++vertex) visit(vertex, i, j, columns, rows);
+        const std::size_t first = column_runs[run].first + (pole_rows[j] && j == rows.first ? 1 : 0);
+        const std::size_t last = column_runs[run].last - (pole_rows[j] && j == rows.last ? 1 : 0);
+        visit(vertex, run, j, first, last, j == rows.first);
+        vertex += last - first + 1;
       }
     }
   }

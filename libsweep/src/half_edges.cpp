@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "first_touch.hpp"
+
 namespace sweepkit::sweep {
 namespace {
 
@@ -224,6 +226,13 @@ void write_half_edges(Mesh& mesh) {
     edge_count += count_edges(discs.back());
   }
 
+  if (mesh.n_edges() == 0 && edge_count > 0 && !mesh.triangles.empty()) {
+    // As add_vertices() does.
+    mesh.reserve(mesh.n_vertices(), edge_count, mesh.triangles.size());
+    mesh.resize(mesh.n_vertices(), 1, 1);
+    prepare_first_touch(&mesh.edge(OpenMesh::EdgeHandle(0)), edge_count * sizeof(Mesh::Edge));
+    prepare_first_touch(&mesh.face(FaceHandle(0)), mesh.triangles.size() * sizeof(Mesh::Face));
+  }
   mesh.resize(mesh.n_vertices(), edge_count, mesh.triangles.size());
   Writer writer(mesh);
   for (std::size_t i = 0; i < mesh.patches.size(); ++i) write_patch(writer, mesh.patches[i], first_edges[i]);

@@ -104,17 +104,21 @@ void add_wall(Mesh& mesh, const Section& section, const Turn& turn, const UvOpti
   const std::span<glm::vec3> positions = mesh.positions();
   const std::span<glm::vec3> normals = mesh.normals();
   const std::span<glm::vec2> texcoords = mesh.texcoords();
-  for_each_wall_vertex(
-      first, column_runs, row_runs, poles,
-      [&](std::size_t vertex, std::size_t i, std::size_t j, const Run&, const Run& run) {
-        const SectionPoint& point = section.points[j];
-        const glm::dvec2& tangent = j == run.first ? point.tangent_out : point.tangent_in;
-        const double r = point.position.x;
-        const auto [c, s] = turn.at[i];
-        positions[vertex] = glm::vec3(glm::dvec3(r * c, point.position.y, -r * s) - mesh.origin);
-        normals[vertex] = glm::vec3(glm::dvec3(tangent.y * c, -tangent.x, -tangent.y * s));
-        texcoords[vertex] = {turn.u[i], static_cast<float>(section.fractions[j] * uv.repeat.y)};
-      });
+  for_each_wall_row(first, column_runs, row_runs, poles,
+                    [&](std::size_t vertex, std::size_t, std::size_t j, std::size_t first_column,
+                        std::size_t last_column, bool begins_run) {
+                      const SectionPoint& point = section.points[j];
+                      const glm::dvec2& tangent = begins_run ? point.tangent_out : point.tangent_in;
+                      const double r = point.position.x;
+                      const auto v = static_cast<float>(section.fractions[j] * uv.repeat.y);
+                      for (std::size_t i = first_column; i <= last_column; ++i, ++vertex) {
+                        const auto [c, s] = turn.at[i];
+                        positions[vertex] =
+                            glm::vec3(glm::dvec3(r * c, point.position.y, -r * s) - mesh.origin);
+                        normals[vertex] = glm::vec3(glm::dvec3(tangent.y * c, -tangent.x, -tangent.y * s));
+                        texcoords[vertex] = {turn.u[i], v};
+                      }
+                    });
 }
 
 void check_options(const RevolveOptions& options) {

@@ -38,41 +38,48 @@ Frame make_frame(const glm::dvec3& normal, const glm::dvec3& tangent) {
   return {n, glm::cross(tangent, n), tangent};
 }
 
-// The normal carried along one segment from parameter `from` to `to`. The steps are even in the parameter,
+TangentPoint tangent_point(const Segment<3>& segment, double t) {
+  const CurvePoint<3> here = evaluate<3>(segment, t);
+  return {here.position, tangent_of<3>(segment, t, here)};
+}
+
+// A normal that goes along a trajectory, and where it is.
+struct Carried {
+  glm::dvec3 normal;
+  TangentPoint at;
+};
+
+// Along one segment from parameter `from`, where `carried` is, to `to`. The steps are even in the parameter,
 // which the method does not mind and which costs no arc length.
-glm::dvec3 carry_along_segment(const Segment<3>& segment, double from, double to, const glm::dvec3& normal) {
-  const auto point = [&](double t) {
-    const CurvePoint<3> here = evaluate<3>(segment, t);
-    return TangentPoint{here.position, tangent_of<3>(segment, t, here)};
-  };
-  const TangentPoint first = point(from);
-  const TangentPoint last = point(to);
-  glm::dvec3 previous = double_reflection(normal, first, last);
+void carry_along_segment(const Segment<3>& segment, double from, double to, Carried& carried) {
+  const TangentPoint last = tangent_point(segment, to);
+  glm::dvec3 previous = double_reflection(carried.normal, carried.at, last);
   for (int steps = 2; steps <= kMaxSubsteps; steps *= 2) {
-    glm::dvec3 carried = normal;
-    TangentPoint here = first;
+    glm::dvec3 normal = carried.normal;
+    TangentPoint here = carried.at;
     for (int i = 1; i <= steps; ++i) {
-      const TangentPoint next = i == steps ? last : point(from + (to - from) * i / steps);
-      carried = double_reflection(carried, here, next);
+      const TangentPoint next = i == steps ? last : tangent_point(segment, from + (to - from) * i / steps);
+      normal = double_reflection(normal, here, next);
       here = next;
     }
-    const bool agrees = glm::length(carried - previous) <= kStepAgreement;
-    previous = carried;
+    const bool agrees = glm::length(normal - previous) <= kStepAgreement;
+    previous = normal;
     if (agrees) break;
   }
-  return previous;
+  carried = {previous, last};
 }
 
 // From where the curve leaves one station to where it arrives at the next. Both stand in one smooth piece,
 // but the curvature may jump between its segments: no step goes across such a joint, or the order would be
-// lost.
-glm::dvec3 carry(const Curve3& trajectory, const Station& from, const Station& to, glm::dvec3 normal) {
+// lost. `carried` is at the first station.
+void carry(const Curve3& trajectory, const Station& from, const Station& to, Carried& carried) {
   for (std::size_t index = from.out.segment; index <= to.in.segment; ++index) {
+    const Segment<3>& segment = trajectory.segments()[index];
     const double start = index == from.out.segment ? from.out.t : 0;
     const double end = index == to.in.segment ? to.in.t : 1;
-    if (start < end) normal = carry_along_segment(trajectory.segments()[index], start, end, normal);
+    if (index != from.out.segment) carried.at = tangent_point(segment, start);
+    if (start < end) carry_along_segment(segment, start, end, carried);
   }
-  return normal;
 }
 
 }  // namespace
@@ -121,15 +128,21 @@ std::vector<StationFrames> rotation_minimizing_frames(const Curve3& trajectory,
                                                       const glm::dvec3& up) {
   const std::size_t count = stations.size();
   std::vector<StationFrames> frames(count);
-  frames[0].out.frame = first_frame(trajectory.tangent(stations[0].out), up);
+  const auto point = [&](const CurveLocation& at) {
+    return tangent_point(trajectory.segments()[at.segment], at.t);
+  };
+  Carried carried{glm::dvec3(0.0), point(stations[0].out)};
+  frames[0].out.frame = first_frame(carried.at.tangent, up);
   frames[0].in = frames[0].out;
   for (std::size_t i = 1; i < count; ++i) {
-    const glm::dvec3 carried =
-        carry(trajectory, stations[i - 1], stations[i], frames[i - 1].out.frame.normal);
-    const Frame in = make_frame(carried, trajectory.tangent(stations[i].in));
+    carried.normal = frames[i - 1].out.frame.normal;
+    carry(trajectory, stations[i - 1], stations[i], carried);
+    const Station& here = stations[i];
+    const Frame in = make_frame(carried.normal, carried.at.tangent);
     frames[i] = {{in}, {in}};
-    if (stations[i].is_corner && i + 1 < count) {
-      const glm::dvec3 tangent = trajectory.tangent(stations[i].out);
+    if (here.out.segment != here.in.segment || here.out.t != here.in.t) carried.at = point(here.out);
+    if (here.is_corner && i + 1 < count) {
+      const glm::dvec3& tangent = carried.at.tangent;
       frames[i].out.frame = make_frame(turn_normal(in.normal, in.tangent, tangent), tangent);
     }
   }

@@ -70,27 +70,30 @@ void add_round_cap(Mesh& mesh, const Section& section, const Row& row, End end, 
   }
   const auto first_vertex = static_cast<std::uint32_t>(mesh.n_vertices());
   lay_out_wall(mesh, column_runs, row_runs, poles, {uv.repeat.x, 0});
-  for_each_wall_vertex(
+  for_each_wall_row(
       first_vertex, column_runs, row_runs, poles,
-      [&](std::size_t vertex, std::size_t i, std::size_t j, const Run& column_run, const Run&) {
-        const SectionPoint& point = section.points[i];
+      [&](std::size_t vertex, std::size_t run, std::size_t j, std::size_t first_column,
+          std::size_t last_column, bool) {
         const auto layer = static_cast<int>(is_first ? rows - j : j);
         const auto [c, s] = cos_sin_turn(layer, 4 * static_cast<int>(rows));
-        const glm::dvec2 p = g + c * (point.position - g);
-        const glm::dvec3 position =
-            layer == 0 ? position_of(row, point.position) : position_of(row, p) + height * s * outwards;
-        const glm::dvec2& along = i == column_run.first ? point.tangent_out : point.tangent_in;
-        const glm::dvec3 across = along.x * row.x_axis + along.y * row.y_axis;
-        const glm::dvec2 from_axis = point.position - g;
-        const glm::dvec3 inwards = from_axis.x * row.x_axis + from_axis.y * row.y_axis;
-        const glm::dvec3 ahead = height * c * tangent + (is_first ? s : -s) * inwards;
-        const glm::dvec3 normal = glm::cross(across, ahead);
-        const double length = glm::length(normal);
-        const bool is_pole = layer == static_cast<int>(rows) || !(length > 0);
-        mesh.positions()[vertex] = glm::vec3(position - mesh.origin);
-        mesh.normals()[vertex] = glm::vec3(is_pole ? outwards : normal / length);
-        mesh.texcoords()[vertex] = {static_cast<float>(section.fractions[i] * uv.repeat.x),
-                                    static_cast<float>(j) / static_cast<float>(rows)};
+        const float v = static_cast<float>(j) / static_cast<float>(rows);
+        for (std::size_t i = first_column; i <= last_column; ++i, ++vertex) {
+          const SectionPoint& point = section.points[i];
+          const glm::dvec2 p = g + c * (point.position - g);
+          const glm::dvec3 position =
+              layer == 0 ? position_of(row, point.position) : position_of(row, p) + height * s * outwards;
+          const glm::dvec2& along = i == column_runs[run].first ? point.tangent_out : point.tangent_in;
+          const glm::dvec3 across = along.x * row.x_axis + along.y * row.y_axis;
+          const glm::dvec2 from_axis = point.position - g;
+          const glm::dvec3 inwards = from_axis.x * row.x_axis + from_axis.y * row.y_axis;
+          const glm::dvec3 ahead = height * c * tangent + (is_first ? s : -s) * inwards;
+          const glm::dvec3 normal = glm::cross(across, ahead);
+          const double length = glm::length(normal);
+          const bool is_pole = layer == static_cast<int>(rows) || !(length > 0);
+          mesh.positions()[vertex] = glm::vec3(position - mesh.origin);
+          mesh.normals()[vertex] = glm::vec3(is_pole ? outwards : normal / length);
+          mesh.texcoords()[vertex] = {static_cast<float>(section.fractions[i] * uv.repeat.x), v};
+        }
       });
 }
 
