@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <span>
 
 #include "sweepkit/sweep/sweep.hpp"
 #include "sweepkit/texmap/image_file.hpp"
@@ -14,17 +15,9 @@
 namespace sweepkit::scene {
 namespace {
 
-const sweep::Curve2& only_outline(const std::vector<sweep::Curve2>& contour) {
-  if (contour.size() != 1) {
-    throw InputError("the contour has " + std::to_string(contour.size()) +
-                     " outlines, and one can be swept so far; choose an element of one outline by \"id\"");
-  }
-  return contour.front();
-}
-
 sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
   if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
-    return sweep::sweep(only_outline(shape->contour), shape->trajectory,
+    return sweep::sweep(std::span<const sweep::Curve2>(shape->contour), shape->trajectory,
                         {.tessellation = piece.tessellation,
                          .uv = piece.uv,
                          .crease_deg = piece.crease_deg,
@@ -37,12 +30,12 @@ sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
                          .orientation = shape->orientation});
   }
   if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
-    return sweep::revolve(only_outline(shape->contour), {.tessellation = piece.tessellation,
-                                                         .uv = piece.uv,
-                                                         .angle_deg = shape->angle_deg,
-                                                         .crease_deg = piece.crease_deg,
-                                                         .caps = shape->caps,
-                                                         .has_half_edges = has_half_edges});
+    return sweep::revolve(std::span<const sweep::Curve2>(shape->contour), {.tessellation = piece.tessellation,
+                                                                           .uv = piece.uv,
+                                                                           .angle_deg = shape->angle_deg,
+                                                                           .crease_deg = piece.crease_deg,
+                                                                           .caps = shape->caps,
+                                                                           .has_half_edges = has_half_edges});
   }
   return sweep::plane(std::get<PlaneShape>(piece.shape).size, {piece.tessellation, piece.uv, has_half_edges});
 }
