@@ -11,6 +11,7 @@
 #include "elliptical_arc.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "cos_sin_deg.hpp"
@@ -44,7 +45,8 @@ sweep::Segment<2> elliptical_arc(const glm::dvec2& from, const OutlineBuilder::A
   glm::dvec2 half = glm::dvec2(glm::dot(chord, axis), glm::dot(chord, turned(axis))) / radii;
 
   const double length = std::hypot(half.x, half.y);
-  if (!(length > 0)) return line;  // radii so large that nothing bends
+  // Radii so large that nothing bends, or so small that they count as 0.
+  if (!(length > 0 && length < std::numeric_limits<double>::infinity())) return line;
   const glm::dvec2 along = half / length;
   double center_distance = 0;
   if (length >= 1) {

@@ -3,6 +3,7 @@
 #include "outline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "elliptical_arc.hpp"
@@ -15,6 +16,9 @@ namespace {
 // came back to the start but for the last digits): its direction is noise, and would be a corner. Curves
 // count such ends as meeting.
 constexpr double kNoStep = 1e-9;
+
+// Squares of coordinates up to here stay finite, before a transform makes them metres.
+constexpr double kFarthestDrawn = 1e100;
 
 glm::dvec2 end_of(const sweep::Segment<2>& segment, double t) {
   return sweep::evaluate<2>(segment, t).position;
@@ -74,6 +78,14 @@ Outline reversed(const sweep::Curve2& curve) {
   return turned;
 }
 
+void OutlineBuilder::check(std::initializer_list<glm::dvec2> points) {
+  for (const glm::dvec2& p : points) {
+    if (!(std::abs(p.x) <= kFarthestDrawn && std::abs(p.y) <= kFarthestDrawn)) {
+      throw InputError("has a coordinate beyond 1e100; draw smaller");
+    }
+  }
+}
+
 void OutlineBuilder::add(sweep::Segment<2> segment, const glm::dvec2& to) {
   if (++segments_ > kMostSegments) {
     throw InputError("has more than " + std::to_string(kMostSegments) + " segments; simplify it");
@@ -101,32 +113,38 @@ void OutlineBuilder::finish() {
     kept.push_back(std::move(segment));
   }
   outline.segments = std::move(kept);
-  const bool is_closed = outline.is_closed;
-  outline.is_closed = false;
-  if (is_closed) close(outline);
+  if (outline.is_closed || glm::distance(at, end_of(outline.segments.front(), 0)) <= kNoStep * size) {
+    outline.is_closed = false;
+    close(outline);
+  }
   outlines_.push_back(std::move(outline));
 }
 
 void OutlineBuilder::move_to(const glm::dvec2& to) {
+  check({to});
   finish();
   start_ = at_ = to;
 }
 
 void OutlineBuilder::line_to(const glm::dvec2& to) {
+  check({to});
   if (to != at_) add(sweep::BezierSegment<2>{{at_, to}}, to);
 }
 
 void OutlineBuilder::quadratic_to(const glm::dvec2& control, const glm::dvec2& to) {
+  check({control, to});
   if (to != at_ || control != at_) add(sweep::BezierSegment<2>{{at_, control, to}}, to);
 }
 
 void OutlineBuilder::cubic_to(const glm::dvec2& first, const glm::dvec2& second, const glm::dvec2& to) {
+  check({first, second, to});
   if (to != at_ || first != at_ || second != at_) {
     add(sweep::BezierSegment<2>{{at_, first, second, to}}, to);
   }
 }
 
 void OutlineBuilder::arc_to(const Arc& arc, const glm::dvec2& to) {
+  check({arc.radii, to});
   if (to != at_) add(elliptical_arc(at_, arc, to), to);
 }
 
@@ -138,6 +156,7 @@ void OutlineBuilder::close_subpath() {
 }
 
 void OutlineBuilder::ellipse(const glm::dvec2& center, const glm::dvec2& radii) {
+  check({center, radii});
   move_to(center + glm::dvec2(radii.x, 0));
   add(sweep::ArcSegment<2>{center, {radii.x, 0}, {0, radii.y}, 0, 360}, at_);
   close_subpath();

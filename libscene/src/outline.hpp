@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace sweepkit::scene {
 /// A subpath on its way to a curve: segments end to end, not empty.
 struct Outline {
   std::vector<sweep::Segment<2>> segments;
-  bool is_closed = false;
+  bool is_closed = false;  ///< drawn so, or its ends coincide
 };
 
 /// Joins the end to the start by a straight line, where they do not meet.
@@ -29,7 +30,8 @@ Outline reversed(const sweep::Curve2& curve);
 inline constexpr std::size_t kMostSegments = 500'000;
 
 /// Follows a pen as SVG's path commands lead it, coordinates absolute. Subpaths of one point, and steps too
-/// short to have a direction, are left out. Throws InputError beyond kMostSegments.
+/// short to have a direction, are left out. Throws InputError beyond kMostSegments, and for coordinates
+/// beyond 1e100, whose squares could overflow.
 class OutlineBuilder {
  public:
   /// An arc of an ellipse as SVG gives it.
@@ -52,6 +54,7 @@ class OutlineBuilder {
   std::vector<Outline> take();
 
  private:
+  static void check(std::initializer_list<glm::dvec2> points);
   void add(sweep::Segment<2> segment, const glm::dvec2& to);
   void finish();
 

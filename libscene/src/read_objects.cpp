@@ -96,7 +96,8 @@ std::vector<sweep::MorphKey> read_morph(const Node& node, const std::filesystem:
     const Node at = reader.get("at");
     const double t = at.number({.low = 0, .high = 1});
     if (t <= before) {
-      at.fail(std::string("needs to be above ") + (keys.empty() ? "0, where the contour itself is" : "the one before"));
+      at.fail(std::string("needs to be above ") +
+              (keys.empty() ? "0, where the contour itself is" : "the one before"));
     }
     keys.push_back({t, read_contour(reader.get("contour"), folder)});
     reader.finish();

@@ -22,11 +22,15 @@ using Polygon = std::vector<glm::dvec2>;
 // flattened alike, so that not even thin walls cross.
 constexpr int kChords = 16;
 
-// Points looked at on an outline, before it is said to bound nothing.
+// Edges of an outline looked at, before it is said to bound nothing.
 constexpr std::size_t kMostSamples = 64;
 
-// So many edges are looked at in some seconds.
-constexpr std::size_t kMostWork = 1'000'000'000;
+// Where along an edge: first its middle, then elsewhere, since what crosses the edge changes its sides. The
+// middles of a pentagram's edges, say, have the region on both.
+constexpr std::array<double, 7> kAlong = {0.5, 0.1, 0.9, 0.3, 0.7, 0.01, 0.99};
+
+// So many edges are looked at in a second or two.
+constexpr std::size_t kMostWork = 300'000'000;
 
 Polygon flattened(const sweep::Curve2& curve) {
   Polygon points;
@@ -79,17 +83,19 @@ class Region {
   // both sides are alike.
   std::optional<bool> left_is_inside(const Polygon& polygon) {
     const std::size_t samples = std::min(kMostSamples, polygon.size());
-    for (std::size_t k = 0; k < samples; ++k) {
-      const std::size_t i = k * polygon.size() / samples;
-      const glm::dvec2& from = polygon[i];
-      const glm::dvec2 along = polygon[(i + 1) % polygon.size()] - from;
-      // Beside the edge by a millionth of its length, nearer than anything drawn; an edge shorter than its
-      // ends' rounding has no sides.
-      const glm::dvec2 aside = 1e-6 * glm::dvec2(-along.y, along.x);
-      if (!(glm::length(aside) > 4 * std::numeric_limits<double>::epsilon() * reach_)) continue;
-      const glm::dvec2 middle = from + 0.5 * along;
-      const bool is_left = holds(middle + aside);
-      if (is_left != holds(middle - aside)) return is_left;
+    for (const double share : kAlong) {
+      for (std::size_t k = 0; k < samples; ++k) {
+        const std::size_t i = k * polygon.size() / samples;
+        const glm::dvec2& from = polygon[i];
+        const glm::dvec2 along = polygon[(i + 1) % polygon.size()] - from;
+        // Beside the edge by a millionth of its length, nearer than anything drawn; an edge shorter than its
+        // ends' rounding has no sides.
+        const glm::dvec2 aside = 1e-6 * glm::dvec2(-along.y, along.x);
+        if (!(glm::length(aside) > 4 * std::numeric_limits<double>::epsilon() * reach_)) continue;
+        const glm::dvec2 at = from + share * along;
+        const bool is_left = holds(at + aside);
+        if (is_left != holds(at - aside)) return is_left;
+      }
     }
     return std::nullopt;
   }

@@ -61,7 +61,6 @@ class Drawing {
     Context context;
     context.document_from_user = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
     for (std::size_t i = line.size(); i-- > 1;) context = inside(root_.at(line[i]), context);
-    context.is_visible = true;
     draw_content(root_.at(line.front()), context, true);
     return std::move(shapes_);
   }
@@ -152,13 +151,18 @@ class Drawing {
       element.fail("draws more than " + std::to_string(kMostElements) + " elements; simplify the drawing");
     }
     const std::string_view kind = element.kind();
+    const auto entered = [&] {
+      Context context = inside(element, outer);
+      context.is_visible |= is_chosen;
+      return context;
+    };
     if (is_shape(kind)) {
-      add(element, inside(element, outer));
+      add(element, entered());
     } else if (kind == "use") {
-      draw_use(element, inside(element, outer));
+      draw_use(element, entered());
     } else if (is_any_of(kind, {"svg", "g", "a", "switch"}) ||
                (is_chosen && is_any_of(kind, {"defs", "symbol", "clipPath", "mask", "marker", "pattern"}))) {
-      draw_children(element, inside(element, outer));
+      draw_children(element, entered());
     } else if (is_chosen) {
       element.fail("has no outlines; convert it to a path, or choose another element");
     }

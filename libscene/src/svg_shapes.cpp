@@ -81,16 +81,7 @@ void draw_points(const SvgElement& element, OutlineBuilder& pen) {
   if (element.kind() == "polygon") pen.close_subpath();
 }
 
-constexpr std::array<std::string_view, 7> kShapes = {"path", "rect",     "circle", "ellipse",
-                                                     "line", "polyline", "polygon"};
-
-}  // namespace
-
-bool is_shape(std::string_view kind) {
-  return std::find(kShapes.begin(), kShapes.end(), kind) != kShapes.end();
-}
-
-void draw_shape(const SvgElement& element, const Viewport& viewport, OutlineBuilder& pen) {
+void draw(const SvgElement& element, const Viewport& viewport, OutlineBuilder& pen) {
   const std::string_view kind = element.kind();
   if (kind == "path") {
     if (element.attribute("d") == "none") return;
@@ -101,6 +92,24 @@ void draw_shape(const SvgElement& element, const Viewport& viewport, OutlineBuil
   if (kind == "ellipse") draw_ellipse(element, viewport, pen);
   if (kind == "line") draw_line(element, viewport, pen);
   if (kind == "polyline" || kind == "polygon") draw_points(element, pen);
+}
+
+constexpr std::array<std::string_view, 7> kShapes = {"path", "rect",     "circle", "ellipse",
+                                                     "line", "polyline", "polygon"};
+
+}  // namespace
+
+bool is_shape(std::string_view kind) {
+  return std::find(kShapes.begin(), kShapes.end(), kind) != kShapes.end();
+}
+
+void draw_shape(const SvgElement& element, const Viewport& viewport, OutlineBuilder& pen) {
+  try {
+    draw(element, viewport, pen);
+  } catch (const InputError& error) {
+    if (!error.place().file.empty()) throw;
+    element.fail(error.problem());  // the pen's, which knows no element
+  }
 }
 
 }  // namespace sweepkit::scene
