@@ -13,6 +13,8 @@
 #include <cmath>
 #include <optional>
 
+#include "outline_crossing.hpp"
+
 namespace sweepkit::sweep {
 namespace {
 
@@ -174,24 +176,6 @@ std::vector<Start> find_starts(const Walk& from, const Walk& to) {
   return starts;
 }
 
-bool cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
-  const auto side = [](const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& r) {
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  };
-  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
-bool crosses_itself(const std::vector<glm::dvec2>& loop) {
-  const std::size_t n = loop.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j == n - 1) continue;
-      if (cross(loop[i], loop[i + 1], loop[j], loop[(j + 1) % n])) return true;
-    }
-  }
-  return false;
-}
-
 bool crosses_on_the_way(const Walk& from, const Walk& to, const RisingMap& map) {
   std::vector<glm::dvec2> a(kSamples);
   std::vector<glm::dvec2> b(kSamples);
@@ -203,7 +187,7 @@ bool crosses_on_the_way(const Walk& from, const Walk& to, const RisingMap& map) 
   for (const double t : {0.25, 0.5, 0.75}) {
     std::vector<glm::dvec2> between(kSamples);
     for (int i = 0; i < kSamples; ++i) between[i] = glm::mix(a[i], b[i], t);
-    if (crosses_itself(between)) return true;
+    if (find_crossing(between, true)) return true;
   }
   return false;
 }
