@@ -7,7 +7,6 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <span>
 
 #include "sweepkit/sweep/sweep.hpp"
 #include "sweepkit/texmap/image_file.hpp"
@@ -17,7 +16,7 @@ namespace {
 
 sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
   if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
-    return sweep::sweep(std::span<const sweep::Curve2>(shape->contour), shape->trajectory,
+    return sweep::sweep(shape->contour, shape->trajectory,
                         {.tessellation = piece.tessellation,
                          .uv = piece.uv,
                          .crease_deg = piece.crease_deg,
@@ -30,12 +29,12 @@ sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
                          .orientation = shape->orientation});
   }
   if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
-    return sweep::revolve(std::span<const sweep::Curve2>(shape->contour), {.tessellation = piece.tessellation,
-                                                                           .uv = piece.uv,
-                                                                           .angle_deg = shape->angle_deg,
-                                                                           .crease_deg = piece.crease_deg,
-                                                                           .caps = shape->caps,
-                                                                           .has_half_edges = has_half_edges});
+    return sweep::revolve(shape->contour, {.tessellation = piece.tessellation,
+                                           .uv = piece.uv,
+                                           .angle_deg = shape->angle_deg,
+                                           .crease_deg = piece.crease_deg,
+                                           .caps = shape->caps,
+                                           .has_half_edges = has_half_edges});
   }
   return sweep::plane(std::get<PlaneShape>(piece.shape).size, {piece.tessellation, piece.uv, has_half_edges});
 }
