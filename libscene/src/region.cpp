@@ -24,13 +24,14 @@ constexpr int kChords = 16;
 
 // Edges of an outline looked at, before it is said to bound nothing.
 constexpr std::size_t kMostSamples = 64;
+constexpr std::size_t kFewSamples = 8;  // elsewhere than at the middles: long edges are few
 
 // Where along an edge: first its middle, then elsewhere, since what crosses the edge changes its sides. The
 // middles of a pentagram's edges, say, have the region on both.
 constexpr std::array<double, 7> kAlong = {0.5, 0.1, 0.9, 0.3, 0.7, 0.01, 0.99};
 
-// So many edges are looked at in a second or two.
-constexpr std::size_t kMostWork = 300'000'000;
+// So many edges are looked at in some two seconds.
+constexpr std::size_t kMostWork = 1'000'000'000;
 
 Polygon flattened(const sweep::Curve2& curve) {
   Polygon points;
@@ -67,7 +68,7 @@ class Region {
 
   bool holds(const glm::dvec2& point) {
     std::fill(turns_.begin(), turns_.end(), 0);
-    work_ += winding_.count(point, turns_) + shapes_.size();
+    work_ += winding_.count(point, turns_) + shapes_.size() / 4;  // a shape is cheaper than an edge
     if (work_ > kMostWork) {
       throw InputError(
           "has too many outlines one over another to tell inside from outside; choose an element by "
@@ -82,8 +83,8 @@ class Region {
   // Has the outline the region on its left and not on its right (true), or the other way round? Nothing where
   // both sides are alike.
   std::optional<bool> left_is_inside(const Polygon& polygon) {
-    const std::size_t samples = std::min(kMostSamples, polygon.size());
     for (const double share : kAlong) {
+      const std::size_t samples = std::min(share == kAlong[0] ? kMostSamples : kFewSamples, polygon.size());
       for (std::size_t k = 0; k < samples; ++k) {
         const std::size_t i = k * polygon.size() / samples;
         const glm::dvec2& from = polygon[i];
