@@ -34,7 +34,7 @@ class Ring {
     for (std::size_t i = first; i < end; ++i) {
       if (points_[i].x > points_[rightmost].x) rightmost = i;
     }
-    const std::size_t at = seen_from(points_[rightmost]);
+    const std::size_t at = place_towards(seen_from(points_[rightmost]), points_[rightmost]);
     std::vector<std::uint32_t> detour;
     detour.reserve(end - first + 2);
     for (std::size_t i = rightmost; i < end; ++i) detour.push_back(static_cast<std::uint32_t>(i));
@@ -53,6 +53,15 @@ class Ring {
     const glm::dvec2& after = point(at + 1);
     if (orient(before, here, after) >= 0) return orient(before, here, p) >= 0 && orient(here, after, p) >= 0;
     return orient(before, here, p) >= 0 || orient(here, after, p) >= 0;
+  }
+
+  // A vertex that has been joined before stands in the ring more than once, each time with other edges: the
+  // place whose edges have `m` between them.
+  std::size_t place_towards(std::size_t at, const glm::dvec2& m) const {
+    for (std::size_t k = 0; k < ring_.size(); ++k) {
+      if (ring_[k] == ring_[at] && opens_towards(k, m)) return k;
+    }
+    return at;
   }
 
   std::size_t seen_from(const glm::dvec2& m) const {

@@ -160,10 +160,15 @@ std::vector<DirectedEdge> sorted_edges(const Mesh& mesh, std::uint32_t first, st
   return edges;
 }
 
+bool is_same_edge(const DirectedEdge& a, const DirectedEdge& b) {
+  return a.low == b.low && a.high == b.high;
+}
+
+// Two triangles share an edge; what a third one has there, in a cap whose outlines cross, is one of its own.
 std::uint32_t count_edges(const std::vector<DirectedEdge>& edges) {
   std::uint32_t count = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (i == 0 || edges[i].low != edges[i - 1].low || edges[i].high != edges[i - 1].high) ++count;
+  for (std::size_t i = 0; i < edges.size(); ++count) {
+    i += i + 1 < edges.size() && is_same_edge(edges[i], edges[i + 1]) ? 2 : 1;
   }
   return count;
 }
@@ -175,8 +180,7 @@ void write_disc(Writer& writer, const Mesh& mesh, const std::vector<DirectedEdge
   std::uint32_t edge = first_edge;
   for (std::size_t i = 0; i < edges.size();) {
     const DirectedEdge& one = edges[i];
-    const bool has_twin =
-        i + 1 < edges.size() && edges[i + 1].low == one.low && edges[i + 1].high == one.high;
+    const bool has_twin = i + 1 < edges.size() && is_same_edge(one, edges[i + 1]);
     writer.edge(edge, one.low, one.high);
     for (std::size_t k = i; k <= i + (has_twin ? 1 : 0); ++k) {
       const std::uint32_t from = mesh.triangles[edges[k].triangle][edges[k].corner];
@@ -191,17 +195,26 @@ void write_disc(Writer& writer, const Mesh& mesh, const std::vector<DirectedEdge
   for (std::uint32_t t = 0; t < halves.size(); ++t)
     writer.face(first_triangle + t, halves[t][0], halves[t][1], halves[t][2]);
 
-  // The disc has one boundary loop: from each vertex one open half-edge leads on.
+  // A loop for the outline and one for each hole: from each vertex an open half-edge leads on.
   std::sort(open.begin(), open.end());
+  std::vector<bool> is_used(open.size(), false);
   std::vector<std::uint32_t> loop;
-  std::uint32_t vertex = open.front().first;
   for (std::size_t i = 0; i < open.size(); ++i) {
-    const auto at = std::lower_bound(open.begin(), open.end(), std::pair{vertex, 0u});
-    loop.push_back(at->second);
-    const OpenMesh::HalfedgeHandle half(static_cast<int>(at->second));
-    vertex = static_cast<std::uint32_t>(mesh.to_vertex_handle(half).idx());
+    loop.clear();
+    std::size_t next = i;
+    while (next < open.size() && !is_used[next]) {
+      is_used[next] = true;
+      loop.push_back(open[next].second);
+      const OpenMesh::HalfedgeHandle half(static_cast<int>(open[next].second));
+      const auto vertex = static_cast<std::uint32_t>(mesh.to_vertex_handle(half).idx());
+      next = static_cast<std::size_t>(std::lower_bound(open.begin(), open.end(), std::pair{vertex, 0u}) -
+                                      open.begin());
+      // Where loops touch, more than one leads on.
+      while (next < open.size() && open[next].first == vertex && is_used[next]) ++next;
+      if (next < open.size() && open[next].first != vertex) break;
+    }
+    if (!loop.empty()) writer.boundary(loop);
   }
-  writer.boundary(loop);
 }
 
 }  // namespace

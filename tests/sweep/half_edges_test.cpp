@@ -122,5 +122,30 @@ TEST(HalfEdges, SurviveAppendingPartsMirroredOrNot) {
   }
 }
 
+// Holes in rows and columns: their corners lie at the same heights, so every bridge to one meets others.
+TEST(HalfEdges, OfCapsWithRowsOfHolesAreThoseOfAddFace) {
+  std::vector<Curve2> outlines = {polyline<2>({{0, 0}, {13, 0}, {13, 10}, {0, 10}}, true)};
+  double holes = 0;
+  for (int x = 0; x < 4; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      const glm::dvec2 low(1 + 3 * x, 1 + 3 * y);
+      outlines.push_back(
+          polyline<2>({low, low + glm::dvec2(2, 0), low + glm::dvec2(2, 2), low + glm::dvec2(0, 2)}, true));
+      holes += 4;
+    }
+  }
+  for (const int cells : {52, 64, 100, 317}) {
+    const Mesh mesh =
+        sweep(outlines, polyline<3>({{0, 0, 0}, {0, 0, 2}}, false), {.tessellation = {cells, 1}});
+    expect_same_connectivity(mesh);
+    const test::Measures m = test::measure(mesh);
+    EXPECT_EQ(m.open_edges, 0u) << cells;
+    EXPECT_NEAR(m.volume, 2 * (130 - holes), 1e-5) << cells;
+    EXPECT_GT(m.smallest_triangle, 0) << cells;
+    // A solid with twelve handles.
+    EXPECT_EQ(m.euler, 2 - 2 * 12) << cells;
+  }
+}
+
 }  // namespace
 }  // namespace sweepkit::sweep
