@@ -8,38 +8,12 @@
 #include <memory>
 #include <numbers>
 
+#include "make_mesh.hpp"
 #include "sweepkit/scene/image_store.hpp"
-#include "sweepkit/sweep/sweep.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
-
-sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
-  if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
-    return sweep::sweep(shape->contour, shape->trajectory,
-                        {.tessellation = piece.tessellation,
-                         .uv = piece.uv,
-                         .crease_deg = piece.crease_deg,
-                         .caps = shape->caps,
-                         .has_half_edges = has_half_edges,
-                         .joints = shape->joints,
-                         .miter_limit = shape->miter_limit,
-                         .profile = shape->profile,
-                         .morph = shape->morph,
-                         .twist_deg = shape->twist_deg,
-                         .orientation = shape->orientation});
-  }
-  if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
-    return sweep::revolve(shape->contour, {.tessellation = piece.tessellation,
-                                           .uv = piece.uv,
-                                           .angle_deg = shape->angle_deg,
-                                           .crease_deg = piece.crease_deg,
-                                           .caps = shape->caps,
-                                           .has_half_edges = has_half_edges});
-  }
-  return sweep::plane(std::get<PlaneShape>(piece.shape).size, {piece.tessellation, piece.uv, has_half_edges});
-}
 
 // Runs `make` and gives what it finds wrong with the geometry the piece's place in the file.
 template <class Make>

@@ -4,13 +4,16 @@
 // is off by A d at most, which is the bound on every volume here.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <numbers>
 #include <string>
 
 #include "../sweep/mesh_measures.hpp"
 #include "../sweep/surface_distance.hpp"
+#include "sweepkit/scene/check.hpp"
 #include "sweepkit/scene/document.hpp"
 #include "sweepkit/scene/model.hpp"
 
@@ -180,6 +183,20 @@ TEST(SampleScenes, EncloseWhatTheirClosedFormsSay) {
       EXPECT_NEAR(m.volume, volume, m.area * *mesh->deviation) << expected.sample.file;
     }
   }
+}
+
+TEST(SampleScenes, HaveNoFindings) {
+  std::size_t scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(SWEEPKIT_SAMPLES) + "/scenes")) {
+    if (entry.path().extension() != ".json") continue;
+    const Document document = read_document(entry.path());
+    Plan shapes = plan(document, {.product = Request::Product::kMeshFile});
+    std::fill(shapes.textures.begin(), shapes.textures.end(), false);
+    for (const SceneFinding& found : check(document, build(document, shapes)))
+      ADD_FAILURE() << entry.path() << ": " << found.object << ": " << found.finding.problem;
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 12u);
 }
 
 // A prismatoid with a profile has no closed form here, but its rows do: their polygons' areas by Simpson.

@@ -14,5 +14,6 @@ void add_generate(CLI::App& app);
 void add_render(CLI::App& app);
 void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
+void add_check(CLI::App& app);
 
 }  // namespace sweepkit::tools

@@ -8,6 +8,7 @@
 
 #include "output.hpp"
 #include "scene_input.hpp"
+#include "sweepkit/scene/check.hpp"
 #include "sweepkit/scene/gltf.hpp"
 #include "sweepkit/scene/plan.hpp"
 
@@ -32,12 +33,14 @@ struct MadeFile {
   std::optional<double> deviation;  ///< the largest that is known of an object in the world, metres
   std::uint64_t bytes = 0;          ///< with what stands beside it
   scene::Ledger ledger;
+  std::vector<scene::SceneFinding> findings;
 };
 
-/// Makes the document's objects and writes them to `file`, and to what a .gltf has beside it. Throws
+/// Makes the document's objects and writes them to `file`, and to what a .gltf has beside it; looks for
+/// findings if it is to. Throws
 /// InputError for geometry and images that cannot be used, OutputError for the disk.
 MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
-                   const scene::GltfOptions& options);
+                   const scene::GltfOptions& options, bool looks_for_findings);
 
 /// --each: a file for each row of the table, on all cores. A row that cannot be made is reported in a line
 /// and the others are made; at the end that throws InputError with how many of each. Throws InputError before

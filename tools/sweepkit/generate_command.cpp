@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "findings.hpp"
 #include "generate.hpp"
 #include "plan_table.hpp"
 #include "sweepkit/error.hpp"
@@ -44,7 +45,8 @@ void generate_one(const Generate& command) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
   }
-  const MadeFile made = make_file(document, plan, output.file, command.gltf);
+  const MadeFile made = make_file(document, plan, output.file, command.gltf, !output.is_quiet);
+  warn(made.findings, output);
   if (output.explains) print({{}, {plan_table(plan, made.ledger)}}, output);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   say((output.is_standard() ? "standard output" : output.file) + ": " + std::to_string(made.objects) +
@@ -78,7 +80,7 @@ void check_model_name(const std::string& file) {
 }
 
 MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
-                   const scene::GltfOptions& options) {
+                   const scene::GltfOptions& options, bool looks_for_findings) {
   const scene::Model model = scene::build(document, plan, options.images);
   const scene::GltfFile gltf = scene::make_gltf(model.scene, plan, file, options);
   write(gltf, file);
@@ -86,6 +88,7 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
   made.ledger.add(gltf.ledger);
   for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
   for (const scene::NamedBytes& part : gltf.files) made.bytes += part.bytes.size();
+  if (looks_for_findings) made.findings = scene::check(document, model);
   for (const scene::Object& object : model.scene.objects) {
     const std::optional<double> deviation = scene::deviation_of(model, object);
     if (deviation) made.deviation = std::max(made.deviation.value_or(0), *deviation);

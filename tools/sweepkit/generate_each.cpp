@@ -147,7 +147,7 @@ class Batch {
       if (jobs_[row].file.empty()) return outcome;
       scene::GltfOptions options = command_.gltf;
       options.images = &images_;
-      outcome.made = make_file(document, outcome.plan, jobs_[row].file, options);
+      outcome.made = make_file(document, outcome.plan, jobs_[row].file, options, false);
     } catch (const InputError& error) {
       outcome.problem = row_problem(table_, row, error);
     }

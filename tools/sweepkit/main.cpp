@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Exit status: 0 done; 1 failed (disk, memory, an internal fault); 2 bad usage or bad input, refused before
-// any work; 128 + n ended by signal n, which is 130 for Ctrl-C. An error is one line on standard error.
+// any work; 3 check --strict has findings; 128 + n ended by signal n, which is 130 for Ctrl-C. An error is
+// one line on standard error.
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -14,6 +15,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "findings.hpp"
 #include "interrupt.hpp"
 #include "memory.hpp"
 #include "output.hpp"
@@ -23,6 +25,7 @@ namespace {
 
 constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
+constexpr int kFindings = 3;
 
 int fail(int status, std::string message) {
   sweepkit::tools::complain(std::move(message));
@@ -50,15 +53,18 @@ int run(int argc, char** argv) {
   app.footer(
       "Example:\n  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png\n\n"
       "sweepkit COMMAND --help tells more. Messages go to standard error. Exit status: 0 done; 1 failed;\n"
-      "2 bad usage or bad input; 130 interrupted.");
+      "2 bad usage or bad input; 3 findings of check --strict; 130 interrupted.");
   sweepkit::tools::add_generate(app);
   sweepkit::tools::add_render(app);
   sweepkit::tools::add_bake(app);
   sweepkit::tools::add_info(app);
+  sweepkit::tools::add_check(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
     app.exit(success);  // --help, --version
+  } catch (const sweepkit::tools::FoundFaults&) {
+    return std::fflush(stdout) == 0 ? kFindings : kFailed;
   } catch (const CLI::ParseError& error) {
     return fail(kBadInput, usage_problem(app, error));
   }

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "commands.hpp"
+#include "findings.hpp"
 #include "output.hpp"
 #include "plan_table.hpp"
 #include "progress.hpp"
@@ -104,6 +105,7 @@ void draw(Render& command) {
     return;
   }
   const scene::Model model = scene::build(document, plan);
+  if (!output.is_quiet) warn(scene::check(document, model), output);
   const render::Picture picture = [&] {
     Progress progress(output.is_quiet);
     command.options.on_progress = progress.callback();

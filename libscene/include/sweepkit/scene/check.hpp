@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sweepkit/scene/document.hpp"
+#include "sweepkit/scene/model.hpp"
+#include "sweepkit/sweep/finding.hpp"
+
+namespace sweepkit::scene {
+
+/// A finding about one of the scene's shapes, its point in the world.
+struct SceneFinding {
+  std::string object;
+  Place place;  ///< of the shape in the scene file
+  sweep::Finding finding;
+};
+
+/// What sweep::check_sweep(), check_revolve() and find_crossings() find of every shape of a built scene, in
+/// the objects' order. A crossing where the surface folds anyway is left out. Shapes of one object may go
+/// through each other. Throws InputError with the shape's place.
+std::vector<SceneFinding> check(const Document& document, const Model& model);
+
+}  // namespace sweepkit::scene

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "sweepkit/scene/check.hpp"
+
+#include <algorithm>
+
+#include "make_mesh.hpp"
+
+namespace sweepkit::scene {
+namespace {
+
+std::vector<sweep::Finding> curve_findings(const Piece& piece) {
+  if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
+    return sweep::check_sweep(shape->contour, shape->trajectory, sweep_options(piece, *shape));
+  }
+  if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
+    return sweep::check_revolve(shape->contour, revolve_options(piece, *shape));
+  }
+  return {};
+}
+
+// A fold's own surface goes through itself beside it.
+bool is_of_a_fold(const sweep::Finding& crossing, const std::vector<sweep::Finding>& others) {
+  // Reaches a little beyond the stretch that runs backwards.
+  constexpr double kBeside = 0.1;
+  return std::any_of(others.begin(), others.end(), [&](const sweep::Finding& other) {
+    return other.kind == sweep::FindingKind::kFold && crossing.t > other.from - kBeside &&
+           *crossing.other < other.to + kBeside;
+  });
+}
+
+}  // namespace
+
+std::vector<SceneFinding> check(const Document& document, const Model& model) {
+  std::vector<SceneFinding> all;
+  for (std::size_t i = 0; i < document.objects.size(); ++i) {
+    const ObjectEntry& entry = document.objects[i];
+    const glm::dmat4& world_from_object = model.scene.objects[i].world_from_object;
+    for (const Piece& piece : entry.pieces) {
+      if (std::holds_alternative<PlaneShape>(piece.shape)) continue;
+      try {
+        std::vector<sweep::Finding> findings = curve_findings(piece);
+        // A contour that crosses itself makes a surface that does all along.
+        const bool is_sound = std::none_of(findings.begin(), findings.end(), [](const sweep::Finding& f) {
+          return f.kind == sweep::FindingKind::kContourCrossing;
+        });
+        const bool is_alone = entry.pieces.size() == 1;
+        if (is_sound) {
+          const std::vector<sweep::Finding> crossings =
+              is_alone ? sweep::find_crossings(*model.meshes[model.scene.objects[i].mesh])
+                       : sweep::find_crossings(make_mesh(piece, false));
+          for (const sweep::Finding& crossing : crossings) {
+            if (!is_of_a_fold(crossing, findings)) findings.push_back(crossing);
+          }
+        }
+        // A mesh of one piece has the piece's placement in it already; the curves have not.
+        const glm::dmat4 world_from_piece = world_from_object * to_matrix(piece.placement);
+        for (sweep::Finding& finding : findings) {
+          const bool is_placed = is_alone && finding.kind == sweep::FindingKind::kCrossing;
+          const glm::dvec4 point(finding.point, 1);
+          finding.point = glm::dvec3((is_placed ? world_from_object : world_from_piece) * point);
+          all.push_back({entry.name, piece.place, std::move(finding)});
+        }
+      } catch (const InputError& error) {
+        if (!error.place().pointer.empty()) throw;
+        throw InputError(piece.place, error.problem());
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace sweepkit::scene
