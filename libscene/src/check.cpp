@@ -29,9 +29,14 @@ bool is_of_a_fold(const sweep::Finding& crossing, const std::vector<sweep::Findi
   });
 }
 
+// Looking for crossings takes longer than making the mesh: of more triangles than these a quick look takes
+// a coarser one, whose cells are still small to the eye.
+constexpr std::size_t kQuickTriangles = 60000;
+constexpr sweep::Tessellation kQuickCells{80, 320};
+
 }  // namespace
 
-std::vector<SceneFinding> check(const Document& document, const Model& model) {
+std::vector<SceneFinding> check(const Document& document, const Model& model, Thoroughness thoroughness) {
   std::vector<SceneFinding> all;
   for (std::size_t i = 0; i < document.objects.size(); ++i) {
     const ObjectEntry& entry = document.objects[i];
@@ -44,11 +49,15 @@ std::vector<SceneFinding> check(const Document& document, const Model& model) {
         const bool is_sound = std::none_of(findings.begin(), findings.end(), [](const sweep::Finding& f) {
           return f.kind == sweep::FindingKind::kContourCrossing;
         });
-        const bool is_alone = entry.pieces.size() == 1;
+        const sweep::Mesh& whole = *model.meshes[model.scene.objects[i].mesh];
+        const bool is_quick =
+            thoroughness == Thoroughness::kQuick && whole.triangles.size() > kQuickTriangles;
+        const bool is_alone = entry.pieces.size() == 1 && !is_quick;
         if (is_sound) {
+          Piece looked_at = piece;
+          if (is_quick) looked_at.tessellation = kQuickCells;
           const std::vector<sweep::Finding> crossings =
-              is_alone ? sweep::find_crossings(*model.meshes[model.scene.objects[i].mesh])
-                       : sweep::find_crossings(make_mesh(piece, false));
+              is_alone ? sweep::find_crossings(whole) : sweep::find_crossings(make_mesh(looked_at, false));
           for (const sweep::Finding& crossing : crossings) {
             if (!is_of_a_fold(crossing, findings)) findings.push_back(crossing);
           }

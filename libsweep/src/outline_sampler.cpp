@@ -316,7 +316,10 @@ std::vector<Morph> sample(const ContourSamplers& samplers, int cells) {
   for (const OutlineSampler& outline : samplers.outlines) {
     pieces.insert(pieces.end(), outline.pieces().begin(), outline.pieces().end());
     // Fewer would enclose nothing.
-    if (samplers.outlines.size() > 1 && outline.pieces().size() == 1) pieces.back().least_cells = 3;
+    if (samplers.outlines.size() > 1 && outline.is_closed() && outline.pieces().size() < 3) {
+      for (std::size_t k = pieces.size() - outline.pieces().size(); k < pieces.size(); ++k)
+        pieces[k].least_cells = outline.pieces().size() == 1 ? 3 : 2;
+    }
   }
   const std::vector<int> shares = share_cells(pieces, cells);
   std::vector<Morph> morphs;

@@ -24,7 +24,7 @@ TEST(Check, TellsAFoldWithItsPlaceAndItsCure) {
   workshop.write("s.json", scene_of(kFold));
   const Outcome run = workshop.sweepkit({"check", "s.json", "--json"});
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_TRUE(has(run.out, R"("findings": 1)") || has(run.out, R"("findings":1)")) << run.out;
+  EXPECT_TRUE(has(run.out, R"("found": 1)")) << run.out;
   EXPECT_TRUE(has(run.out, R"("object": "ring", "kind": "fold")")) << run.out;
   EXPECT_TRUE(has(run.out, "the contour fits when made 0.909 times as large")) << run.out;
   EXPECT_TRUE(has(run.out, R"("severity": 1.1)")) << run.out;
@@ -40,7 +40,7 @@ TEST(Check, EndsWith3WhenStrictAndThereIsAFinding) {
   EXPECT_EQ(fold.err, "");
   const Outcome sound = workshop.sweepkit({"check", "sound.json", "--strict"});
   EXPECT_EQ(sound.status, 0);
-  EXPECT_TRUE(has(sound.out, "findings: 0")) << sound.out;
+  EXPECT_TRUE(has(sound.out, "found: 0")) << sound.out;
   EXPECT_EQ(workshop.sweepkit({"check", "none.json", "--strict"}).status, 2);
 }
 

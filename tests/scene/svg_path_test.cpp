@@ -275,7 +275,8 @@ TEST(SvgPath, SyntaxErrorsNameTheOffsetAndWhatStandsThere) {
       {"M0 0L1e101 1", "has a coordinate beyond 1e100; draw smaller"},
       {"M0 0C1 1 2 -1e200 3 3", "has a coordinate beyond 1e100; draw smaller"},
   };
-  for (const auto& [data, message] : faults) EXPECT_EQ(refusal([&] { drawn(data); }), message) << data;
+  for (const auto& fault : faults)
+    EXPECT_EQ(refusal([&] { drawn(fault.first); }), fault.second) << fault.first;
 }
 
 TEST(SvgPath, MoreSegmentsThanMemoryIsRefused) {

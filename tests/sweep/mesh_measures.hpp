@@ -25,6 +25,7 @@ struct Measures {
   double worst_normal_cosine = 1;  ///< between a triangle and its vertices' normals
   double worst_normal_length = 0;  ///< |1 - length|
   std::size_t open_edges = 0;      ///< directed edges without their opposite, or twice
+  std::size_t leaking_edges = 0;   ///< that are there more often one way than the other
   long euler = 0;                  ///< V - E + F after welding
 };
 
@@ -60,6 +61,7 @@ inline Measures measure(const Mesh& mesh) {
   for (const auto& [edge, count] : edges) {
     const auto opposite = edges.find({edge.second, edge.first});
     if (count != 1 || opposite == edges.end()) ++m.open_edges;
+    if (opposite == edges.end() || opposite->second != count) ++m.leaking_edges;
     if (edge.first < edge.second || opposite == edges.end()) ++undirected;
   }
   m.euler = static_cast<long>(welded.size()) - static_cast<long>(undirected) +

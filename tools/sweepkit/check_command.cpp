@@ -52,7 +52,7 @@ void check(const Check& command) {
   const std::size_t objects = document.objects.size();
   print({{{"file", command.input.file},
           {"objects", static_cast<std::uint64_t>(objects)},
-          {"findings", static_cast<std::uint64_t>(findings.size())}},
+          {"found", static_cast<std::uint64_t>(findings.size())}},
          {std::move(table)}},
         command.output);
   if (command.is_strict && !findings.empty()) throw FoundFaults();

@@ -88,7 +88,7 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
   made.ledger.add(gltf.ledger);
   for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
   for (const scene::NamedBytes& part : gltf.files) made.bytes += part.bytes.size();
-  if (looks_for_findings) made.findings = scene::check(document, model);
+  if (looks_for_findings) made.findings = scene::check(document, model, scene::Thoroughness::kQuick);
   for (const scene::Object& object : model.scene.objects) {
     const std::optional<double> deviation = scene::deviation_of(model, object);
     if (deviation) made.deviation = std::max(made.deviation.value_or(0), *deviation);

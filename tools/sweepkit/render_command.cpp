@@ -105,7 +105,7 @@ void draw(Render& command) {
     return;
   }
   const scene::Model model = scene::build(document, plan);
-  if (!output.is_quiet) warn(scene::check(document, model), output);
+  if (!output.is_quiet) warn(scene::check(document, model, scene::Thoroughness::kQuick), output);
   const render::Picture picture = [&] {
     Progress progress(output.is_quiet);
     command.options.on_progress = progress.callback();

@@ -18,9 +18,15 @@ struct SceneFinding {
   sweep::Finding finding;
 };
 
+enum class Thoroughness {
+  kQuick,  ///< crossings of a large mesh are looked for in a coarser one of the same curves
+  kWhole,
+};
+
 /// What sweep::check_sweep(), check_revolve() and find_crossings() find of every shape of a built scene, in
 /// the objects' order. A crossing where the surface folds anyway is left out. Shapes of one object may go
 /// through each other. Throws InputError with the shape's place.
-std::vector<SceneFinding> check(const Document& document, const Model& model);
+std::vector<SceneFinding> check(const Document& document, const Model& model,
+                                Thoroughness thoroughness = Thoroughness::kWhole);
 
 }  // namespace sweepkit::scene
