@@ -83,8 +83,8 @@ std::size_t closing_columns(const Morph& morph, const Spine& spine, bool is_hole
   const auto columns = static_cast<int>(morph.columns());
   // A hole's columns run the other way round.
   const int steps = is_hole ? -spine.closing_steps : spine.closing_steps;
-  return static_cast<std::size_t>(columns / spine.symmetry *
-                                  ((steps % spine.symmetry + spine.symmetry) % spine.symmetry));
+  const int turns = (steps % spine.symmetry + spine.symmetry) % spine.symmetry;
+  return static_cast<std::size_t>(columns / spine.symmetry) * static_cast<std::size_t>(turns);
 }
 
 }  // namespace sweepkit::sweep
