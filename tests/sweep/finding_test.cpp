@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-std::vector<Finding> check(const Curve2& contour, const Curve3& trajectory, const SweepOptions& options = {}) {
+std::vector<Finding> check(const Curve2& contour, const Curve3& trajectory,
+                           const SweepOptions& options = {}) {
   return check_sweep(std::span(&contour, 1), trajectory, options);
 }
 
@@ -77,12 +78,12 @@ TEST(Finding, ALegTooShortForItsMitresFolds) {
 
 TEST(Finding, SoundMeshesDoNotCross) {
   const Law turn = Law::through({{0, 0}, {1, 180}});
-  for (const Mesh& mesh :
-       {sweep(circle_contour(0.3), circle_trajectory(1)), sweep(circle_contour(0.15), torus_knot(2, 3, 1, 0.4)),
-        sweep(rectangle_contour(0.5, 0.05), circle_trajectory(1), {.twist_deg = turn}),
-        sweep(star_contour(9, 0.2, 0.1), helix(1, 0.5, 3), {.caps = Caps::kFlat}),
-        sweep(circle_contour(0.2), helix(1, 0.5, 3), {.caps = Caps::kRound}),
-        revolve(bezier_curve<2>({{0, 0}, {1, 0}, {0.2, 1.5}, {0, 2}}))}) {
+  for (const Mesh& mesh : {sweep(circle_contour(0.3), circle_trajectory(1)),
+                           sweep(circle_contour(0.15), torus_knot(2, 3, 1, 0.4)),
+                           sweep(rectangle_contour(0.5, 0.05), circle_trajectory(1), {.twist_deg = turn}),
+                           sweep(star_contour(9, 0.2, 0.1), helix(1, 0.5, 3), {.caps = Caps::kFlat}),
+                           sweep(circle_contour(0.2), helix(1, 0.5, 3), {.caps = Caps::kRound}),
+                           revolve(bezier_curve<2>({{0, 0}, {1, 0}, {0.2, 1.5}, {0, 2}}))}) {
     EXPECT_TRUE(find_crossings(mesh).empty());
   }
 }
