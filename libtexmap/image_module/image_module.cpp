@@ -41,8 +41,13 @@ std::string size_text(const OIIO::ImageSpec& spec) {
   return std::to_string(spec.width) + " x " + std::to_string(spec.height);
 }
 
+// Once: its pool of threads aborts the program when two threads change its size at the same time.
+void keep_to_this_thread() {
+  [[maybe_unused]] static const bool is_kept = OIIO::attribute("threads", 1);
+}
+
 std::unique_ptr<OIIO::ImageInput> open(const std::string& file, std::string& problem) {
-  OIIO::attribute("threads", 1);
+  keep_to_this_thread();
   // Colours as the file has them: OpenImageIO would multiply them by alpha, in sRGB and in 8 bits.
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
@@ -161,7 +166,7 @@ std::string read_info(const std::string& file, ModuleInfo& info) try {
 }
 
 std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes) try {
-  OIIO::attribute("threads", 1);
+  keep_to_this_thread();
   const bool is_exr = encoding.floats != nullptr;
   const std::string extension = encoding.extension;
   const bool has_alpha = encoding.channels % 2 == 0;

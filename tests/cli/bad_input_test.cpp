@@ -227,10 +227,13 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     OnTheCommandLine, BadInput,
     testing::Values(
-        Case{"NoCommand", "", "needs a command (generate, render, bake, info); see sweepkit --help", {}},
+        Case{"NoCommand",
+             "",
+             "needs a command (generate, render, bake, info, check); see sweepkit --help",
+             {}},
         Case{"UnknownCommand",
              "",
-             "needs a command (generate, render, bake, info), got \"draw\"; see sweepkit --help",
+             "needs a command (generate, render, bake, info, check), got \"draw\"; see sweepkit --help",
              {"draw", "scene.json"}},
         Case{"NoScene", "", "SCENE is required; see sweepkit generate --help", {"generate"}},
         Case{"NoOutput", kPlain, "-o FILE is needed (or --explain)", {"render", "scene.json"}},
