@@ -3,9 +3,13 @@
 //
 // The curves that people hand in, as joined segments.
 // free_curve: centripetal Catmull-Rom [Yuksel, Schaefer, Keyser 2011]: knots spaced by the square root of the
-// chord, which neither overshoots nor loops between points at uneven distances. Each span becomes a cubic
-// Bezier segment.
+// chord, which makes no loop between points at uneven distances. Each span becomes a cubic Bezier segment.
+// Next to a chord s a chord L gets a handle of about 2/3 sqrt(s L), though: far longer than s where s is
+// short, and the curve swings out beside the short span by hundreds of its lengths. So no handle is longer
+// than the chord on the other side of its point. The directions stay, and chords within 4.8 times of each
+// other keep the spline as published.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -37,6 +41,16 @@ std::vector<Vector<D>> without_repeats(const std::vector<Vector<D>>& points, boo
 template <int D>
 Vector<D> parabola_slope(const Vector<D>& a, const Vector<D>& b, const Vector<D>& c, double ab, double bc) {
   return ((b - a) / ab) * (bc / (ab + bc)) + ((c - b) / bc) * (ab / (ab + bc));
+}
+
+// The longest handle of the published spline, as a share of its own chord: reached between chords that lie
+// on one line. The parabola of an open end may ask for more.
+constexpr double kLongestHandle = 2.0 / 3;
+
+template <int D>
+Vector<D> shortened(const Vector<D>& handle, double longest) {
+  const double length = glm::length(handle);
+  return length > longest ? handle * (longest / length) : handle;
 }
 
 }  // namespace
@@ -102,12 +116,21 @@ Curve<D> free_curve(const std::vector<Vector<D>>& points, bool is_closed) {
                              knot_steps[i % spans]);
   };
 
+  const auto chord = [&](std::size_t span) { return knot_steps[span] * knot_steps[span]; };
+  // From point `i` into `span`, whose chord alone limits it at an open end.
+  const auto handle = [&](std::size_t i, std::size_t span) {
+    const std::size_t before = (i + spans - 1) % spans;
+    const bool is_open_end = !is_closed && (i == 0 || i == count - 1);
+    const std::size_t other = is_open_end ? span : span == before ? i % spans : before;
+    return shortened<D>(knot_steps[span] / 3 * slope(i),
+                        std::min(chord(span) * kLongestHandle, chord(other)));
+  };
   std::vector<Segment<D>> segments;
+  segments.reserve(spans);
   for (std::size_t i = 0; i < spans; ++i) {
     const Vector<D> a = point(i);
     const Vector<D> b = point(i + 1);
-    const double third = knot_steps[i] / 3;
-    segments.push_back(BezierSegment<D>{{a, a + third * slope(i), b - third * slope((i + 1) % count), b}});
+    segments.push_back(BezierSegment<D>{{a, a + handle(i, i), b - handle((i + 1) % count, i), b}});
   }
   return Curve<D>(std::move(segments));
 }

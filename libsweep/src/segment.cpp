@@ -102,9 +102,10 @@ Vector<D> tangent(const Segment<D>& segment, double t) {
 template <int D>
 Vector<D> tangent_of(const Segment<D>& segment, double t, const CurvePoint<D>& here) {
   const double scale = glm::length(here.second) + glm::length(far_end<D>(segment, t) - here.position);
-  // A derivative below a 1e-9 share of the segment's size has lost its direction to rounding.
+  // The derivative is off by a few units in the last place of the control points: below a 1e-11 share of
+  // their size it may have turned by more than find_corners() in curve.cpp takes for smooth.
   const double speed = glm::length(here.first);
-  if (speed > 1e-9 * scale) return here.first / speed;
+  if (speed > 1e-11 * (scale + glm::length(here.position))) return here.first / speed;
   // Still slowing down: the point of rest is ahead.
   const bool is_backward = t == 1 || glm::dot(here.first, here.second) < 0;
   const double bend = glm::length(here.second);

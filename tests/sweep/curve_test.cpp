@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "sweepkit/error.hpp"
 #include "sweepkit/sweep/primitives.hpp"
@@ -171,6 +174,81 @@ TEST(FreeCurve, HasNoLoopBesideAShortSpan) {
       turning += std::abs(std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)));
     }
     EXPECT_LT(turning, kPi) << segment;
+  }
+}
+
+// The distance of p from the line segment a b.
+double distance_from(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
+  const glm::dvec2 along = b - a;
+  const double s = std::clamp(glm::dot(p - a, along) / glm::dot(along, along), 0.0, 1.0);
+  return glm::length(p - (a + s * along));
+}
+
+TEST(FreeCurve, StaysNearItsPolygonHoweverUnevenItsPoints) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> turn(-kPi, kPi);
+  std::uniform_real_distribution<double> digits(-9, 0);
+  for (int round = 0; round < 400; ++round) {
+    std::vector<glm::dvec2> points = {{0, 0}};
+    std::vector<double> chords;
+    for (int i = 0; i < 9; ++i) {
+      const double angle = turn(random);
+      points.push_back(points.back() +
+                       std::pow(10, digits(random)) * glm::dvec2(std::cos(angle), std::sin(angle)));
+      chords.push_back(glm::length(points[i + 1] - points[i]));
+    }
+    const Curve2 curve = free_curve<2>(points, false);
+    ASSERT_EQ(curve.segments().size(), chords.size());
+    for (std::size_t i = 0; i < chords.size(); ++i) {
+      const double before = i == 0 ? chords[i] : chords[i - 1];
+      const double after = i + 1 == chords.size() ? chords[i] : chords[i + 1];
+      const double handle = std::min(2.0 / 3 * chords[i], std::max(before, after));
+      double farthest = 0;
+      for (int k = 0; k <= 200; ++k) {
+        farthest = std::max(farthest,
+                            distance_from(curve.evaluate({i, k / 200.0}).position, points[i], points[i + 1]));
+      }
+      // 9e-15: rounding of points as far as 9 from the origin.
+      EXPECT_LE(farthest, 0.75 * handle + 9e-15) << "round " << round << " span " << i;
+      if (i > 0) {
+        const double bend = glm::length(curve.tangent({i, 0}) - curve.tangent({i - 1, 1}));
+        // The short chord's direction is known to 1e-15 / 1e-9.
+        EXPECT_LT(bend, 1e-5) << "round " << round << " point " << i;
+      }
+    }
+  }
+}
+
+TEST(FreeCurve, NeverTurnsBackBetweenPointsOnALine) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> digits(-9, 0);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<glm::dvec2> points = {{0, 0}};
+    for (int i = 0; i < 9; ++i) points.push_back(points.back() + glm::dvec2(std::pow(10, digits(random)), 0));
+    const Curve2 curve = free_curve<2>(points, false);
+    for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+      for (int k = 0; k <= 50; ++k) EXPECT_GE(curve.evaluate({i, k / 50.0}).first.x, 0) << round << " " << i;
+    }
+  }
+}
+
+TEST(FreeCurve, KeepsThePublishedSplineWhereSpacingIsNearlyEven) {
+  // [Yuksel11]: the same point by the recursive formula of Barry and Goldman with knots at sqrt(chord).
+  const std::vector<glm::dvec2> p = {{0, 0}, {1, 2}, {4, 2.5}, {4.5, 0.5}};
+  std::array<double, 4> knot{};
+  for (int i = 1; i < 4; ++i) knot[i] = knot[i - 1] + std::sqrt(glm::length(p[i] - p[i - 1]));
+  const Curve2 curve = free_curve<2>(p, false);
+  for (const double share : {0.1, 0.5, 0.8}) {
+    const double t = knot[1] + share * (knot[2] - knot[1]);
+    const auto mix = [&](glm::dvec2 a, glm::dvec2 b, double from, double to) {
+      return (to - t) / (to - from) * a + (t - from) / (to - from) * b;
+    };
+    const glm::dvec2 a1 = mix(p[0], p[1], knot[0], knot[1]);
+    const glm::dvec2 a2 = mix(p[1], p[2], knot[1], knot[2]);
+    const glm::dvec2 a3 = mix(p[2], p[3], knot[2], knot[3]);
+    const glm::dvec2 b1 = mix(a1, a2, knot[0], knot[2]);
+    const glm::dvec2 b2 = mix(a2, a3, knot[1], knot[3]);
+    EXPECT_LT(glm::length(curve.evaluate({1, share}).position - mix(b1, b2, knot[1], knot[2])), 1e-14);
   }
 }
 

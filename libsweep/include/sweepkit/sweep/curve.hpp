@@ -118,8 +118,11 @@ Curve<D> bezier_curve(const std::vector<Vector<D>>& control_points);
 template <int D>
 Curve<D> joined_bezier_curve(const std::vector<std::vector<Vector<D>>>& segments);
 
-/// A smooth curve through hand-given points: the centripetal Catmull-Rom spline as cubic Bezier segments,
-/// which does not overshoot at uneven spacing [Yuksel11]. Throws InputError below 2 points (3 when closed).
+/// A smooth curve through hand-given points: the centripetal Catmull-Rom spline [Yuksel11] as cubic Bezier
+/// segments, with handles no longer than the chord on the other side of their point. It departs from a chord
+/// c by at most 3/4 of the longer handle, a handle being at most min(2/3 c, the neighbouring chord): at
+/// uneven spacing it neither overshoots nor swings out beside a short span, however short. Repeated points
+/// count once. Throws InputError below 2 points (3 when closed).
 template <int D>
 Curve<D> free_curve(const std::vector<Vector<D>>& points, bool is_closed);
 
