@@ -24,6 +24,8 @@ constexpr std::size_t kMostDense = std::size_t{1} << 19;
 // A loop's contour that covers itself when turned is divided alike in so many parts at most, and comes home
 // turned by one of them. Of a circle's symmetry no more is made use of, or no column could be left out.
 constexpr int kMostPeriods = 12;
+// A stretch of a curve so short, as a share of its length, is a point: coordinates do not carry more.
+constexpr double kShortestShare = 1e-9;
 // Directions whose extreme columns are looked at.
 constexpr int kDirections = 12;
 
@@ -32,21 +34,52 @@ constexpr int kDirections = 12;
                    what + "; ask for a larger one");
 }
 
-// Doubles the cells of every piece in which `bend(first, cells)` - the largest error of a chord over two
-// cells from station `first` on - is too large. False where none is.
-template <class Bend>
-bool refine(std::vector<int>& cells, double bound, const Bend& bend) {
-  bool is_refined = false;
-  std::size_t first = 0;
-  for (int& count : cells) {
-    const auto piece_cells = static_cast<std::size_t>(count);
-    if (piece_cells > 1 && bend(first, piece_cells) > bound) {
-      count *= 2;
-      is_refined = true;
+// The errors of chords over two cells in the halves of every piece; `error(i)` is that at station i.
+struct HalfErrors {
+  std::vector<double> left, right;
+
+  template <class Error>
+  HalfErrors(const std::vector<int>& cells, const Error& error)
+      : left(cells.size(), 0.0), right(cells.size(), 0.0) {
+    std::size_t first = 0;
+    for (std::size_t piece = 0; piece < cells.size(); ++piece) {
+      const auto count = static_cast<std::size_t>(cells[piece]);
+      for (std::size_t k = 1; k < count; ++k) {
+        const double here = error(first + k);
+        if (2 * k <= count) left[piece] = std::max(left[piece], here);
+        if (2 * k >= count) right[piece] = std::max(right[piece], here);
+      }
+      first += count;
     }
-    first += piece_cells;
   }
-  return is_refined;
+};
+
+// Halves the pieces with errors above `bound` and gives the halves that have them the cells of the whole:
+// where a curve bends sharply in one place cells become few and small about that place. A piece shorter than
+// `shortest` is left: the surface jumps there.
+std::vector<bool> refine(std::vector<int>& cells, const HalfErrors& errors, std::span<const Piece> pieces,
+                         double bound, double shortest) {
+  std::vector<bool> is_halved(cells.size(), false);
+  std::vector<int> refined;
+  refined.reserve(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool is_left_rough = errors.left[i] > bound;
+    const bool is_right_rough = errors.right[i] > bound;
+    if ((!is_left_rough && !is_right_rough) || pieces[i].length < shortest) {
+      refined.push_back(cells[i]);
+      continue;
+    }
+    is_halved[i] = true;
+    const int half = std::max(2, (cells[i] + 1) / 2);
+    refined.push_back(is_left_rough ? cells[i] : half);
+    refined.push_back(is_right_rough ? cells[i] : half);
+  }
+  cells = std::move(refined);
+  return is_halved;
+}
+
+bool has_any(const std::vector<bool>& flags) {
+  return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
 
 std::size_t total(const std::vector<int>& cells) {
@@ -55,35 +88,43 @@ std::size_t total(const std::vector<int>& cells) {
   return sum;
 }
 
-// `straight` of a straight piece; fewer where there are so many pieces that each is short.
+// `straight` of a straight piece; fewer where there are so many pieces that each is short, but so many that
+// no bend is missed.
 std::vector<int> least_cells(std::span<const Piece> pieces, int straight) {
+  constexpr int kLeastOfABend = 3;
   const auto share = static_cast<int>(std::clamp<std::size_t>(kMostDense / 4 / pieces.size(), 1, 1024));
   std::vector<int> cells;
   cells.reserve(pieces.size());
-  for (const Piece& piece : pieces) cells.push_back(std::max(piece.least_cells, std::min(share, straight)));
+  for (const Piece& piece : pieces) {
+    const int least = std::min(piece.least_cells, std::max(share, kLeastOfABend));
+    cells.push_back(std::max(least, std::min(share, straight)));
+  }
   return cells;
 }
 
 // Chords of it are within `bound`; `tolerance` is what a message names.
-Morph sample_outline(const OutlineSampler& outline, double bound, double tolerance, int straight) {
+Morph sample_outline(OutlineSampler outline, double bound, double tolerance, int straight) {
   std::vector<int> cells = least_cells(outline.pieces(), straight);
+  outline.make_periods_equal(cells);
   for (;;) {
-    outline.make_periods_equal(cells);
+    if (total(cells) > kMostDense) refuse("contour", tolerance);
     Morph morph = outline.sample(cells);
-    const bool is_fine = !refine(cells, bound, [&](std::size_t first, std::size_t count) {
+    HalfErrors errors(cells, [&](std::size_t station) {
       // A contour walked backwards has its pieces the other way round.
+      const std::size_t i = outline.is_backward() ? morph.columns() - station : station;
       double worst = 0;
       for (const Section& key : morph.keys) {
-        const std::size_t from = outline.is_backward() ? morph.columns() - first - count : first;
-        for (std::size_t i = from + 1; i < from + count; ++i) {
-          const auto at = [&](std::size_t k) { return glm::dvec3(key.points[k].position, 0); };
-          worst = std::max(worst, distance_to_segment(at(i), at(i - 1), at(i + 1)));
-        }
+        const auto at = [&](std::size_t k) { return glm::dvec3(key.points[k].position, 0); };
+        worst = std::max(worst, distance_to_segment(at(i), at(i - 1), at(i + 1)));
       }
       return worst;
     });
-    if (is_fine) return morph;
-    if (total(cells) > kMostDense) refuse("contour", tolerance);
+    outline.make_periods_equal(errors.left);
+    outline.make_periods_equal(errors.right);
+    const std::vector<bool> is_halved =
+        refine(cells, errors, outline.pieces(), bound, kShortestShare * outline.length());
+    if (!has_any(is_halved)) return morph;
+    outline.halve_pieces(is_halved);
   }
 }
 
@@ -191,7 +232,7 @@ DenseSweep make_dense_sweep(const ContourSamplers& samplers, const Curve3& given
   dense.morphs = sample_densely(samplers, bound / size, tolerance, straight);
   const std::vector<ColumnPlace> extreme = extreme_columns(dense.morphs);
   const Curve3 trajectory = join_corners(given, dense.morphs, options).curve;
-  const std::vector<Piece> pieces = segment_pieces(trajectory);
+  std::vector<Piece> pieces = segment_pieces(trajectory);
   dense.changes = changes_on_the_way(trajectory, options);
   std::vector<int> cells = least_cells(pieces, dense.changes ? straight : 1);
   for (;;) {
@@ -199,21 +240,18 @@ DenseSweep make_dense_sweep(const ContourSamplers& samplers, const Curve3& given
     dense.spine = make_spine(trajectory, place_stations<3>(trajectory, pieces, cells), dense.morphs, options,
                              kMostPeriods);
     place_rows(dense);
-    const bool is_fine = !refine(cells, bound, [&](std::size_t first, std::size_t count) {
+    const HalfErrors errors(cells, [&](std::size_t j) {
       double worst = 0;
       for (const ColumnPlace& place : extreme) {
-        glm::dvec3 before = dense.position(place, first);
-        glm::dvec3 here = dense.position(place, first + 1);
-        for (std::size_t j = first + 1; j < first + count; ++j) {
-          const glm::dvec3 after = dense.position(place, j + 1);
-          worst = std::max(worst, distance_to_segment(here, before, after));
-          before = here;
-          here = after;
-        }
+        worst = std::max(worst, distance_to_segment(dense.position(place, j), dense.position(place, j - 1),
+                                                    dense.position(place, j + 1)));
       }
       return worst;
     });
-    if (is_fine) return dense;
+    const std::vector<bool> is_halved =
+        refine(cells, errors, pieces, bound, kShortestShare * trajectory.length());
+    if (!has_any(is_halved)) return dense;
+    pieces = halved(pieces, is_halved);
   }
 }
 

@@ -217,13 +217,17 @@ void OutlineSampler::make_periodic(int most) {
   pieces_ = std::move(pieces);
 }
 
-void OutlineSampler::make_periods_equal(std::vector<int>& cells) const {
-  const std::size_t period = cells.size() / static_cast<std::size_t>(periods_);
-  for (std::size_t i = 0; i < period; ++i) {
-    int most = 0;
-    for (std::size_t k = i; k < cells.size(); k += period) most = std::max(most, cells[k]);
-    for (std::size_t k = i; k < cells.size(); k += period) cells[k] = most;
+void OutlineSampler::halve_pieces(const std::vector<bool>& is_halved) {
+  pieces_ = halved(pieces_, is_halved);
+  if (breaks_.empty()) return;
+  std::vector<double> breaks;
+  breaks.reserve(pieces_.size() + 1);
+  for (std::size_t i = 0; i < is_halved.size(); ++i) {
+    breaks.push_back(breaks_[i]);
+    if (is_halved[i]) breaks.push_back(0.5 * (breaks_[i] + breaks_[i + 1]));
   }
+  breaks.push_back(1);
+  breaks_ = std::move(breaks);
 }
 
 Morph OutlineSampler::sample(std::span<const int> cells) const {

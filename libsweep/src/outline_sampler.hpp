@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -41,8 +42,16 @@ class OutlineSampler {
   /// Cuts the pieces so that they repeat n times, n at most `most` the turns of a circle that bring the
   /// outline onto itself. One that changes has none.
   void make_periodic(int most);
-  /// Gives pieces that repeat the cells of the one with most.
-  void make_periods_equal(std::vector<int>& cells) const;
+  /// Gives pieces that repeat the largest of their values.
+  template <class Value>
+  void make_periods_equal(std::vector<Value>& values) const {
+    const std::size_t period = values.size() / static_cast<std::size_t>(periods_);
+    for (std::size_t i = period; i < values.size(); ++i)
+      values[i % period] = std::max(values[i % period], values[i]);
+    for (std::size_t i = period; i < values.size(); ++i) values[i] = values[i % period];
+  }
+  /// Has two pieces for every one of which is_halved says so. Precondition: periods are halved alike.
+  void halve_pieces(const std::vector<bool>& is_halved);
 
  private:
   Morph sample_one(std::span<const int> cells) const;

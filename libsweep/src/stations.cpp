@@ -74,6 +74,19 @@ std::vector<Piece> segment_pieces(const Curve<D>& curve) {
   return pieces;
 }
 
+std::vector<Piece> halved(std::span<const Piece> pieces, const std::vector<bool>& is_halved) {
+  std::vector<Piece> result;
+  result.reserve(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    result.push_back(pieces[i]);
+    if (!is_halved[i]) continue;
+    result.back().length /= 2;
+    result.push_back(result.back());
+    result.back().start += result.back().length;
+  }
+  return result;
+}
+
 template <int D>
 std::vector<Station> place_stations(const Curve<D>& curve, std::span<const Piece> pieces,
                                     std::span<const int> cells) {

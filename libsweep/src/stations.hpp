@@ -45,6 +45,9 @@ inline constexpr int kLeastLooks = 16;
 template <int D>
 std::vector<Piece> segment_pieces(const Curve<D>& curve);
 
+/// The pieces with those in two of which is_halved says so.
+std::vector<Piece> halved(std::span<const Piece> pieces, const std::vector<bool>& is_halved);
+
 /// `cells` shared among pieces by length, at least as many as each needs.
 std::vector<int> share_cells(std::span<const Piece> pieces, int cells);
 
