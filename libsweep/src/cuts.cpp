@@ -3,6 +3,7 @@
 #include "cuts.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace sweepkit::sweep {
 namespace {
@@ -39,10 +40,17 @@ std::vector<std::size_t> cut_greedily(std::size_t first, std::size_t last, const
 std::vector<std::size_t> cut(std::size_t first, std::size_t last, std::size_t least, const ChordError& error,
                              double bound) {
   std::vector<std::size_t> cuts = cut_greedily(first, last, error, bound);
-  if (cuts.size() - 1 < least) {
+  if (cuts.size() == 2) {
     const std::size_t cells = std::min(least, last - first);
     cuts.resize(cells + 1);
     for (std::size_t i = 0; i <= cells; ++i) cuts[i] = first + (last - first) * i / cells;
+  }
+  while (cuts.size() - 1 < std::min(least, last - first)) {
+    // The cuts there are stay: they may stand where the curve bends sharply.
+    std::vector<std::size_t> widths(cuts.size());
+    std::adjacent_difference(cuts.begin(), cuts.end(), widths.begin());
+    const auto widest = std::max_element(widths.begin() + 1, widths.end()) - widths.begin();
+    cuts.insert(cuts.begin() + widest, cuts[widest - 1] + (cuts[widest] - cuts[widest - 1]) / 2);
   }
   return cuts;
 }

@@ -40,6 +40,10 @@ constexpr std::size_t kCellsEvenly = 16;
 constexpr std::size_t kCellsWidest = 8;
 // A cell's sides are looked at in so many parts.
 constexpr std::size_t kParts = 4;
+// Of the places under a chord up to so many are looked at: an arc is farthest from its chord near the middle.
+// Where a measurement tells that this missed something - a turn as sharp as a needle's - more and more are.
+constexpr std::size_t kLooks = 7;
+constexpr std::size_t kMostLooks = std::size_t{1} << 20;
 
 class GridFitter {
  public:
@@ -92,12 +96,14 @@ class GridFitter {
       }
     }
     best.deviation = deviation_of(best, dense_, lengths_);
-    // Some places chose the cuts; what all of them show may ask for a little less.
+    // Some places chose the cuts; what all of them show may ask for a little less, and for a closer look.
     double target = bound;
+    std::size_t looks = kLooks;
     while (best.deviation > bound && target > 1e-2 * bound) {
       target *= std::clamp(0.99 * bound / best.deviation, 0.5, 0.98);
-      best.columns = cut_columns(best_share * target, width);
-      best.rows = cut_rows(best.columns, target);
+      looks = std::min(8 * looks, kMostLooks);
+      best.columns = cut_columns(best_share * target, width, looks);
+      best.rows = cut_rows(best.columns, target, looks);
       best.deviation = deviation_of(best, dense_, lengths_);
     }
     return best;
@@ -145,15 +151,13 @@ class GridFitter {
     }
   }
 
-  // Of the places between, up to so many are looked at: an arc is farthest from its chord near the middle.
-  static constexpr std::size_t kLooks = 7;
-
-  static double chord_error(const std::vector<std::vector<glm::dvec3>>& lines, std::size_t a, std::size_t b) {
-    const std::size_t looks = std::min(b - a - 1, kLooks);
+  static double chord_error(const std::vector<std::vector<glm::dvec3>>& lines, std::size_t a, std::size_t b,
+                            std::size_t looks) {
+    const std::size_t places = std::min(b - a - 1, looks);
     double error = 0;
     for (const std::vector<glm::dvec3>& line : lines) {
-      for (std::size_t k = 1; k <= looks; ++k) {
-        const std::size_t place = a + (b - a) * k / (looks + 1);
+      for (std::size_t k = 1; k <= places; ++k) {
+        const std::size_t place = a + (b - a) * k / (places + 1);
         error = std::max(error, distance_to_segment(line[place], line[a], line[b]));
       }
     }
@@ -164,7 +168,8 @@ class GridFitter {
     all.insert(all.end(), cuts.begin() + (all.empty() ? 0 : 1), cuts.end());
   }
 
-  std::vector<std::size_t> cut_outline(std::size_t outline, double bound, double width) const {
+  std::vector<std::size_t> cut_outline(std::size_t outline, double bound, double width,
+                                       std::size_t looks) const {
     const Section& section = dense_.morphs[outline].keys.front();
     const std::size_t last = section.points.size() - 1;
     const std::size_t end = dense_.closing_columns[outline] > 0 ? dense_.repeat_columns[outline] : last;
@@ -173,7 +178,9 @@ class GridFitter {
       if (section.corners[i]) fixed.push_back(i);
     }
     fixed.push_back(end);
-    const auto error = [&](std::size_t a, std::size_t b) { return chord_error(across_[outline], a, b); };
+    const auto error = [&](std::size_t a, std::size_t b) {
+      return chord_error(across_[outline], a, b, looks);
+    };
     // A loop has three cells at least; where it is repeated more than once two pieces do.
     std::size_t least = 1;
     if (section.is_closed && end == last && fixed.size() <= 3) least = fixed.size() == 2 ? 3 : 2;
@@ -230,9 +237,9 @@ class GridFitter {
   }
 
   // By how much some cells between two rows miss the surface; where that is above `bound`, a number above it.
-  double cell_error(const std::vector<CellColumns>& cells, std::size_t first, std::size_t last,
-                    double bound) const {
-    double error = chord_error(along_, first, last);
+  double cell_error(const std::vector<CellColumns>& cells, std::size_t first, std::size_t last, double bound,
+                    std::size_t looks) const {
+    double error = chord_error(along_, first, last, looks);
     std::vector<std::size_t> rows;
     add_parts(dense_.spine.shares, first, last, kParts, rows);
     for (const CellColumns& cell : cells) {
@@ -251,8 +258,8 @@ class GridFitter {
     return error;
   }
 
-  std::vector<std::size_t> cut_rows(const std::vector<std::vector<std::size_t>>& columns,
-                                    double bound) const {
+  std::vector<std::size_t> cut_rows(const std::vector<std::vector<std::size_t>>& columns, double bound,
+                                    std::size_t looks = kLooks) const {
     const std::vector<Row>& rows = dense_.spine.rows;
     std::vector<std::size_t> fixed = {0};
     for (std::size_t j = 1; j + 1 < rows.size(); ++j) {
@@ -260,7 +267,7 @@ class GridFitter {
     }
     fixed.push_back(rows.size() - 1);
     const std::vector<CellColumns> cells = cells_to_look_at(columns);
-    const auto error = [&](std::size_t a, std::size_t b) { return cell_error(cells, a, b, bound); };
+    const auto error = [&](std::size_t a, std::size_t b) { return cell_error(cells, a, b, bound, looks); };
     std::size_t loop_least = 1;
     if (dense_.spine.is_closed && fixed.size() <= 3) loop_least = fixed.size() == 2 ? 3 : 2;
     std::vector<std::size_t> cuts;
@@ -283,10 +290,12 @@ class GridFitter {
     columns = std::move(narrow);
   }
 
-  std::vector<std::vector<std::size_t>> cut_columns(double bound, double width) const {
+  std::vector<std::vector<std::size_t>> cut_columns(double bound, double width,
+                                                    std::size_t looks = kLooks) const {
     std::vector<std::vector<std::size_t>> columns;
     columns.reserve(dense_.morphs.size());
-    for (std::size_t o = 0; o < dense_.morphs.size(); ++o) columns.push_back(cut_outline(o, bound, width));
+    for (std::size_t o = 0; o < dense_.morphs.size(); ++o)
+      columns.push_back(cut_outline(o, bound, width, looks));
     return columns;
   }
 
