@@ -26,6 +26,10 @@ constexpr double kMeetTolerance = 1e-9;
 // A joint that bends by less (radians) is smooth: a fiftieth of a degree shows in no normal.
 constexpr double kSmoothAngle = 3e-4;
 
+// Squares of coordinates beyond these overflow, or lose digits below the smallest number of full precision.
+constexpr double kSmallest = 1e-140;
+constexpr double kLargest = 1e150;
+
 template <int D>
 bool is_finite(const Vector<D>& point) {
   for (int i = 0; i < D; ++i) {
@@ -91,6 +95,10 @@ Curve<D>::Curve(std::vector<Segment<D>> segments) : segments_(std::move(segments
     for (const double t : {0.25, 0.5, 1.0}) {
       size = std::max(size, glm::length(sweep::evaluate<D>(segment, t).position - start));
     }
+  }
+  if (size > 0 && !(size > kSmallest && size < kLargest)) {
+    throw InputError("is " + number_text(size) + " m large, of which no length can be measured; make it " +
+                     "between " + number_text(kSmallest) + " and " + number_text(kLargest) + " m large");
   }
   for (std::size_t i = 1; i < segments_.size(); ++i) {
     const double gap = glm::length(sweep::evaluate<D>(segments_[i], 0).position -

@@ -27,13 +27,27 @@ void check_count(std::size_t count, std::size_t least, const char* what) {
   }
 }
 
+// Points nearer to each other than this share of the largest coordinate differ by its rounding, which tells
+// no direction.
+constexpr double kSamePoint = 1e-15;
+
 template <int D>
 std::vector<Vector<D>> without_repeats(const std::vector<Vector<D>>& points, bool is_closed) {
+  double largest = 0;
+  for (const Vector<D>& point : points) {
+    for (int i = 0; i < D; ++i) {
+      if (!std::isfinite(point[i])) throw InputError("needs finite coordinates, got NaN or infinity");
+      largest = std::max(largest, std::abs(point[i]));
+    }
+  }
+  const auto is_repeated = [&](const Vector<D>& a, const Vector<D>& b) {
+    return !(glm::length(a - b) > kSamePoint * largest);
+  };
   std::vector<Vector<D>> kept;
   for (const Vector<D>& point : points) {
-    if (kept.empty() || point != kept.back()) kept.push_back(point);
+    if (kept.empty() || !is_repeated(point, kept.back())) kept.push_back(point);
   }
-  if (is_closed && kept.size() > 1 && kept.front() == kept.back()) kept.pop_back();
+  if (is_closed && kept.size() > 1 && is_repeated(kept.front(), kept.back())) kept.pop_back();
   return kept;
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "distance.hpp"
+#include "halving.hpp"
 #include "number_text.hpp"
 #include "section.hpp"
 #include "stations.hpp"
@@ -24,62 +25,12 @@ constexpr std::size_t kMostDense = std::size_t{1} << 19;
 // A loop's contour that covers itself when turned is divided alike in so many parts at most, and comes home
 // turned by one of them. Of a circle's symmetry no more is made use of, or no column could be left out.
 constexpr int kMostPeriods = 12;
-// A stretch of a curve so short, as a share of its length, is a point: coordinates do not carry more.
-constexpr double kShortestShare = 1e-9;
 // Directions whose extreme columns are looked at.
 constexpr int kDirections = 12;
 
 [[noreturn]] void refuse(const char* what, double tolerance) {
   throw InputError("tolerance of " + number_text(tolerance) + " m would need too many cells along the " +
                    what + "; ask for a larger one");
-}
-
-// The errors of chords over two cells in the halves of every piece; `error(i)` is that at station i.
-struct HalfErrors {
-  std::vector<double> left, right;
-
-  template <class Error>
-  HalfErrors(const std::vector<int>& cells, const Error& error)
-      : left(cells.size(), 0.0), right(cells.size(), 0.0) {
-    std::size_t first = 0;
-    for (std::size_t piece = 0; piece < cells.size(); ++piece) {
-      const auto count = static_cast<std::size_t>(cells[piece]);
-      for (std::size_t k = 1; k < count; ++k) {
-        const double here = error(first + k);
-        if (2 * k <= count) left[piece] = std::max(left[piece], here);
-        if (2 * k >= count) right[piece] = std::max(right[piece], here);
-      }
-      first += count;
-    }
-  }
-};
-
-// Halves the pieces with errors above `bound` and gives the halves that have them the cells of the whole:
-// where a curve bends sharply in one place cells become few and small about that place. A piece shorter than
-// `shortest` is left: the surface jumps there.
-std::vector<bool> refine(std::vector<int>& cells, const HalfErrors& errors, std::span<const Piece> pieces,
-                         double bound, double shortest) {
-  std::vector<bool> is_halved(cells.size(), false);
-  std::vector<int> refined;
-  refined.reserve(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const bool is_left_rough = errors.left[i] > bound;
-    const bool is_right_rough = errors.right[i] > bound;
-    if ((!is_left_rough && !is_right_rough) || pieces[i].length < shortest) {
-      refined.push_back(cells[i]);
-      continue;
-    }
-    is_halved[i] = true;
-    const int half = std::max(2, (cells[i] + 1) / 2);
-    refined.push_back(is_left_rough ? cells[i] : half);
-    refined.push_back(is_right_rough ? cells[i] : half);
-  }
-  cells = std::move(refined);
-  return is_halved;
-}
-
-bool has_any(const std::vector<bool>& flags) {
-  return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
 
 std::size_t total(const std::vector<int>& cells) {
@@ -121,9 +72,8 @@ Morph sample_outline(OutlineSampler outline, double bound, double tolerance, int
     });
     outline.make_periods_equal(errors.left);
     outline.make_periods_equal(errors.right);
-    const std::vector<bool> is_halved =
-        refine(cells, errors, outline.pieces(), bound, kShortestShare * outline.length());
-    if (!has_any(is_halved)) return morph;
+    const std::vector<bool> is_halved = halve_rough(cells, errors, outline.pieces(), bound);
+    if (is_halved.empty()) return morph;
     outline.halve_pieces(is_halved);
   }
 }
@@ -248,9 +198,8 @@ DenseSweep make_dense_sweep(const ContourSamplers& samplers, const Curve3& given
       }
       return worst;
     });
-    const std::vector<bool> is_halved =
-        refine(cells, errors, pieces, bound, kShortestShare * trajectory.length());
-    if (!has_any(is_halved)) return dense;
+    const std::vector<bool> is_halved = halve_rough(cells, errors, pieces, bound);
+    if (is_halved.empty()) return dense;
     pieces = halved(pieces, is_halved);
   }
 }

@@ -16,6 +16,7 @@
 #include <numbers>
 
 #include "dense_sweep.hpp"
+#include "halving.hpp"
 #include "morph.hpp"
 #include "number_text.hpp"
 #include "outline_crossing.hpp"
@@ -30,6 +31,10 @@ namespace {
 // Rows and columns that are looked at, whatever the mesh has.
 constexpr int kRows = 768;
 constexpr int kColumns = 96;
+// Between rows the trajectory bends by no more than half of this, except in a cusp.
+constexpr double kRowsTurn = 10 * std::numbers::pi / 180;
+// Of curves of many segments not every segment is looked at as closely.
+constexpr std::size_t kMostLeastRows = 16384;
 // Rounding, and a contour that reaches the centre of curvature exactly, is no fold.
 constexpr double kFolds = 1 + 1e-9;
 // A direction this near to the tangent tells where the section points with an error of a thousandth.
@@ -37,10 +42,20 @@ constexpr double kLeastSine = 1e-3;
 // float32 keeps 24 bits; what it loses is a fault where it shows as a thousandth of the object.
 constexpr double kFloatStep = 1.0 / (1 << 24);
 constexpr double kLostShare = 1e-3;
+// Normals are no part of that: a section's outline alone becomes uneven.
+constexpr double kLostWidth = 1e-2;
 
 std::string metres(double length) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g m", length);
+  return text;
+}
+
+// To three or four digits.
+std::string rounded_down(double factor) {
+  const double unit = std::pow(10.0, std::floor(std::log10(factor)) - 3);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", std::floor(factor / unit * kFolds) * unit);
   return text;
 }
 
@@ -137,8 +152,7 @@ void find_folds(std::vector<Finding>& findings, const Checked& checked) {
         const double reach = glm::length(arm);
         finding.problem = "the contour reaches " + metres(reach) + " where the trajectory leaves it " +
                           metres(reach / worst) + ", and folds over";
-        finding.cure =
-            "the contour fits when made " + number_text(std::floor(1e4 / worst) / 1e4) + " times as large";
+        finding.cure = "the contour fits when made " + rounded_down(1 / worst) + " times as large";
         return finding;
       });
 }
@@ -226,7 +240,47 @@ void find_contour_crossings(std::vector<Finding>& findings, std::span<const Curv
   }
 }
 
-void find_lost_precision(std::vector<Finding>& findings, const glm::dvec3& middle, double size) {
+double largest_scale(const Spine& spine) {
+  double scale = 0;
+  for (const Row& row : spine.rows)
+    scale = std::max({scale, glm::length(row.x_axis), glm::length(row.y_axis)});
+  return scale;
+}
+
+// Stations by length, and more where the trajectory bends sharply.
+std::vector<Station> look_at_bends(const Curve3& trajectory, std::span<const int> least_cells) {
+  std::vector<Piece> pieces = segment_pieces(trajectory);
+  const auto most_of_a_bend =
+      static_cast<int>(std::clamp<std::size_t>(kMostLeastRows / pieces.size(), 1, kLeastLooks));
+  std::vector<int> cells;
+  cells.reserve(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    cells.push_back(std::max(least_cells[i], std::min(most_of_a_bend, pieces[i].least_cells)));
+  for (;;) {
+    const std::vector<Station> stations = place_stations<3>(trajectory, pieces, cells);
+    std::vector<glm::dvec3> tangents;
+    tangents.reserve(stations.size());
+    for (const Station& station : stations) tangents.push_back(trajectory.tangent(station.out));
+    const HalfErrors turns(cells,
+                           [&](std::size_t i) { return glm::distance(tangents[i - 1], tangents[i + 1]); });
+    const std::vector<bool> is_halved = halve_rough(cells, turns, pieces, kRowsTurn);
+    if (is_halved.empty()) break;
+    pieces = halved(pieces, is_halved);
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].least_cells = cells[i];
+  return place_stations<3>(trajectory, pieces, share_cells(pieces, kRows));
+}
+
+void find_lost_precision(std::vector<Finding>& findings, const glm::dvec3& middle, double size,
+                         double width) {
+  const double lost_in_width = 0.5 * size * kFloatStep;
+  if (lost_in_width > kLostWidth * width) {
+    Finding finding{.kind = FindingKind::kPrecision, .to = 1, .point = middle, .severity = lost_in_width};
+    finding.problem = "the section of " + metres(width) + " belongs to an object of " + metres(size) +
+                      ", of which float32 loses " + metres(lost_in_width);
+    finding.cure = "make the section wider, or several objects of it";
+    findings.push_back(std::move(finding));
+  }
   const double lost = glm::length(middle) * kFloatStep;
   if (!(lost > kLostShare * size)) return;
   Finding finding{.kind = FindingKind::kPrecision, .to = 1, .point = middle, .severity = lost};
@@ -262,8 +316,7 @@ std::vector<Finding> check_sweep(std::span<const Curve2> contour, const Curve3& 
   Checked checked;
   checked.morphs = sample(samplers, kColumns);
   const auto [trajectory, least_cells] = join_corners(given, checked.morphs, options);
-  checked.spine =
-      make_spine(trajectory, place_stations(trajectory, kRows, least_cells), checked.morphs, options);
+  checked.spine = make_spine(trajectory, look_at_bends(trajectory, least_cells), checked.morphs, options);
   std::vector<Finding> findings;
   find_folds(findings, checked);
   find_cusps(findings, checked);
@@ -276,7 +329,8 @@ std::vector<Finding> check_sweep(std::span<const Curve2> contour, const Curve3& 
     low = glm::min(low, row.center);
     high = glm::max(high, row.center);
   }
-  find_lost_precision(findings, 0.5 * (low + high), glm::length(high - low) + 2 * reach_of(checked.morphs));
+  const double width = 2 * reach_of(checked.morphs) * largest_scale(checked.spine);
+  find_lost_precision(findings, 0.5 * (low + high), glm::length(high - low) + width, width);
   return findings;
 }
 
@@ -293,7 +347,7 @@ std::vector<Finding> check_revolve(std::span<const Curve2> contour, const Revolv
     }
   }
   const double size = std::hypot(2 * high.x, high.y - low.y);
-  find_lost_precision(findings, {0, 0.5 * (low.y + high.y), 0}, size);
+  find_lost_precision(findings, {0, 0.5 * (low.y + high.y), 0}, size, glm::length(high - low));
   return findings;
 }
 

@@ -9,11 +9,22 @@
 #include "sweepkit/error.hpp"
 
 namespace sweepkit::sweep {
+namespace {
+
+// Numbers below 1.2e-38 have fewer than 24 bits in float32: a ten-millionth of the object is to have them
+// all. The largest number is 3.4e38.
+constexpr double kSmallest = 1e-30;
+constexpr double kLargest = 1e38;
+
+}  // namespace
 
 glm::dvec3 choose_origin(const Box& box) {
   const glm::dvec3 size = box.high - box.low;
   const double extent = std::max({size.x, size.y, size.z});
-  if (!(extent > 0) || !std::isfinite(extent)) return glm::dvec3(0.0);
+  if (!(extent >= kSmallest && extent <= kLargest)) {
+    throw InputError("is " + number_text(extent) + " m large; float32 positions need it between " +
+                     number_text(kSmallest) + " and " + number_text(kLargest) + " m");
+  }
   const double step = std::exp2(std::ceil(std::log2(extent)));
   const glm::dvec3 middle = 0.5 * (box.low + box.high);
   // Adding 0 turns -0 into 0.

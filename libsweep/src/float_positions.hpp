@@ -12,7 +12,7 @@ struct Box {
 
 /// The origin for a mesh with this bounding box: its middle, rounded to a multiple of a power of two about as
 /// large as the box, so that it is exactly 0 for whatever lies about the world's origin and never costs the
-/// positions a bit.
+/// positions a bit. Throws InputError for boxes larger or smaller than float32 can hold.
 glm::dvec3 choose_origin(const Box& box);
 
 /// How far float32 positions relative to that origin may lie from where they ought to.

@@ -14,9 +14,31 @@
 
 namespace sweepkit::sweep {
 
+namespace {
+
+// Lengths that differ by their rounding only made equal: which of the sides of a star is the longest is no
+// reason to give it more cells.
+std::vector<double> without_rounding(const std::vector<double>& lengths) {
+  constexpr double kRounding = 1e-12;
+  std::vector<std::size_t> ascending(lengths.size());
+  std::iota(ascending.begin(), ascending.end(), std::size_t{0});
+  std::sort(ascending.begin(), ascending.end(),
+            [&](std::size_t a, std::size_t b) { return lengths[a] < lengths[b]; });
+  std::vector<double> equal(lengths.size());
+  double shortest = 0;
+  for (const std::size_t i : ascending) {
+    if (lengths[i] > shortest * (1 + kRounding)) shortest = lengths[i];
+    equal[i] = shortest;
+  }
+  return equal;
+}
+
+}  // namespace
+
 // Adams' method of apportionment, ties to the earlier piece; where cells of one length fit every piece, they
 // are what comes out.
-std::vector<int> share_cells(const std::vector<double>& lengths, std::vector<int> least, int cells) {
+std::vector<int> share_cells(const std::vector<double>& given, std::vector<int> least, int cells) {
+  const std::vector<double> lengths = without_rounding(given);
   std::vector<int> share = std::move(least);
   using Entry = std::pair<double, std::size_t>;  // (length of a cell, piece)
   const auto is_after = [](const Entry& a, const Entry& b) {
