@@ -6,9 +6,12 @@
 #include "json_value.hpp"
 #include "message_text.hpp"
 #include "sweepkit/error.hpp"
+#include "text_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
+
+constexpr std::size_t kMostFileBytes = std::size_t{64} << 20;
 
 // RFC 6901: parts after each "/", ~1 for "/" and ~0 for "~".
 std::vector<std::string> split_pointer(const std::string& pointer, const Place& place) {
@@ -50,6 +53,23 @@ JsonPlace to_json_place(JsonDocument& document, const Place& place) {
   return {&document.sources.emplace_back(place.file), place.line, place.column};
 }
 
+JsonValue value_of(JsonDocument& document, const Setting& setting) {
+  if (setting.form == Setting::Form::kJsonFile) {
+    const std::string& source = document.sources.emplace_back(setting.value);
+    return parse_json_value(read_text_file(source, kMostFileBytes, "a file of JSON"), source);
+  }
+  const JsonPlace place = to_json_place(document, setting.place);
+  if (setting.form == Setting::Form::kJson) return parse_json_value(setting.value, *place.source);
+  JsonValue value;
+  try {
+    value = parse_json_value(setting.value, *place.source);
+  } catch (const InputError&) {
+    value.data = setting.value;  // not JSON: a plain string, so that no shell needs two kinds of quotes
+  }
+  mark_as_setting(value, place);
+  return value;
+}
+
 // No leading zero, no sign; nine digits are more than any array has.
 bool is_index(const std::string& part) {
   return !part.empty() && part.size() < 10 && part.find_first_not_of("0123456789") == std::string::npos &&
@@ -64,14 +84,7 @@ std::string range_of(const JsonValue::Array& array, const std::string& name) {
 }  // namespace
 
 void apply_setting(JsonDocument& document, const Setting& setting) {
-  const JsonPlace place = to_json_place(document, setting.place);
-  JsonValue value;
-  try {
-    value = parse_json_value(setting.value, *place.source);
-  } catch (const InputError&) {
-    value.data = setting.value;  // not JSON: a plain string, so that no shell needs two kinds of quotes
-  }
-  mark_as_setting(value, place);
+  JsonValue value = value_of(document, setting);
 
   const std::vector<std::string> parts = split_pointer(setting.pointer, setting.pointer_place);
   const auto fail = [&](const std::string& problem) {

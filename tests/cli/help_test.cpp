@@ -45,7 +45,7 @@ TEST_P(Help, HasExamplesThatWork) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheProgram, Help, testing::Values(""), [](const auto&) { return "itself"; });
-INSTANTIATE_TEST_SUITE_P(OfTheCommand, Help, testing::Values("generate", "render", "bake", "info"),
+INSTANTIATE_TEST_SUITE_P(OfTheCommand, Help, testing::Values("generate", "render", "bake", "info", "check"),
                          [](const auto& test) { return test.param; });
 
 TEST(Version, IsAWordAndANumber) {

@@ -50,7 +50,7 @@ void check(const Check& command) {
     table.rows.push_back(std::move(row));
   }
   const std::size_t objects = document.objects.size();
-  print({{{"file", command.input.file},
+  print({{{"file", command.input.name()},
           {"objects", static_cast<std::uint64_t>(objects)},
           {"found", static_cast<std::uint64_t>(findings.size())}},
          {std::move(table)}},
@@ -70,7 +70,8 @@ void add_check(CLI::App& app) {
   sub.footer(
       "A finding has its place (t, from 0 to 1 along the trajectory, and the point), how bad it is and a "
       "cure.\n"
-      "Example:\n  sweepkit check samples/scenes/vase_and_cup.json --strict");
+      "Examples:\n  sweepkit check samples/scenes/vase_and_cup.json --strict\n"
+      "  sweepkit check --contour circle:0.1 --trajectory circle:0.05");
   sub.callback([command] { check(*command); });
 }
 

@@ -128,7 +128,9 @@ void add_generate(CLI::App& app) {
       "row's value in that column. A row that cannot be made is reported, the others are made, and\n"
       "the exit status is 2. --explain tells what any row needs and what all cost; without -o it\n"
       "reads every row and makes none.\n\n"
+      "Without a scene file two curves and what else is wanted make one object.\n\n"
       "Examples:\n"
+      "  sweepkit generate --contour circle:0.1 --trajectory helix:radius=1,pitch=0.3,turns=4 -o spring.glb\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json -o vase_and_cup.glb\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json --object vase --each samples/tables/vases.csv "
       "-o vase_{row}.glb");

@@ -58,7 +58,7 @@ scene::Document read_document(const Render& command) {
     document.height = size.height;
   }
   if (std::int64_t{document.width} * document.height > kMostPixels) {
-    throw InputError({.file = command.input.file, .pointer = "/camera"},
+    throw InputError({.file = command.input.name(), .pointer = "/camera"},
                      "needs at most 2^28 pixels, got " + std::to_string(document.width) + " x " +
                          std::to_string(document.height) + "; give a smaller --size");
   }
@@ -163,7 +163,10 @@ void add_render(CLI::App& app) {
   add_json(sub, command->output, "Print the table of --explain as JSON")->needs(sub.get_option("--explain"));
   add_quiet(sub, command->output);
   sub.footer(
-      "Example:\n  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png --antialias 3x3");
+      "Examples:\n"
+      "  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png --antialias 3x3\n"
+      "  sweepkit render --contour star:5,0.3,0.18 --trajectory line:0,0,0,0,1.5,0 --twist 120 -o "
+      "column.png");
   sub.callback([command] { draw(*command); });
 }
 

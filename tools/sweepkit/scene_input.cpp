@@ -11,12 +11,13 @@
 namespace sweepkit::tools {
 
 void add_scene_input(CLI::App& command, SceneInput& input) {
-  command.add_option("SCENE", input.file, "Scene file (JSON)")->required()->type_name("");
+  command.add_option("SCENE", input.file, "Scene file (JSON)")->type_name("");
   command
       .add_option("--set", input.settings,
                   "Change a value of the scene, such as /objects/0/revolve/angle_deg=270; may be repeated")
       ->type_name("POINTER=VALUE")
       ->allow_extra_args(false);
+  add_curve_options(command, input.curves);
 }
 
 scene::SceneFile open_scene(const SceneInput& input) {
@@ -30,7 +31,14 @@ scene::SceneFile open_scene(const SceneInput& input) {
     }
     settings.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
-  scene::SceneFile scene(input.file);
+  if (input.file.empty() && !input.curves.are_given()) {
+    throw InputError("needs a scene file, or --contour and --trajectory");
+  }
+  if (!input.file.empty() && input.curves.are_given()) {
+    throw InputError({.file = input.file},
+                     "is a scene file; beside one change values with --set, or leave it out");
+  }
+  scene::SceneFile scene = input.file.empty() ? make_scene(input.curves) : scene::SceneFile(input.file);
   for (const scene::Setting& setting : settings) scene.set(setting);
   return scene;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "curve_options.hpp"
 #include "sweepkit/scene/document.hpp"
 
 namespace CLI {
@@ -14,16 +15,20 @@ class App;
 
 namespace sweepkit::tools {
 
-/// The scene that a command works on: its file, changed by --set.
+/// The scene that a command works on: its file or what the options for curves make, changed by --set.
 struct SceneInput {
   std::string file;
+  CurveOptions curves;
   std::vector<std::string> settings;  ///< POINTER=VALUE
+
+  /// For messages and tables.
+  std::string name() const { return file.empty() ? "command line" : file; }
 };
 
 void add_scene_input(CLI::App& command, SceneInput& input);
 
-/// The file with --set done to it, for documents that differ in more values. Throws InputError: a setting
-/// without "=", or what scene::SceneFile finds.
+/// The file with --set done to it, for documents that differ in more values. Throws InputError: neither a
+/// file nor curves or both, a setting without "=", or what scene::SceneFile and make_scene() find.
 scene::SceneFile open_scene(const SceneInput& input);
 
 /// Its document. Throws InputError as that does.

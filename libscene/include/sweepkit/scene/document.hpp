@@ -104,12 +104,18 @@ struct Document {
 };
 
 /// A value that takes another's place in a scene: POINTER (RFC 6901; the last part may be a new key, or "-"
-/// to append to an array) and VALUE, which is JSON, or else a string.
+/// to append to an array) and VALUE.
 struct Setting {
+  enum class Form {
+    kAny,       ///< JSON, or else a string
+    kJson,      ///< JSON alone, with line and column in messages
+    kJsonFile,  ///< a file's name, which holds JSON
+  };
   std::string pointer;
   std::string value;
   Place place = {.file = "--set"};          ///< of the value, for messages
   Place pointer_place = {.file = "--set"};  ///< of the pointer
+  Form form = Form::kAny;
 };
 
 struct JsonDocument;
