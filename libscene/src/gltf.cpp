@@ -22,6 +22,7 @@
 #include "message_text.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/image_store.hpp"
+#include "sweepkit/sweep/tangents.hpp"
 #include "sweepkit/texmap/bake.hpp"
 
 namespace sweepkit::scene {
@@ -151,7 +152,10 @@ class Writer {
   template <glm::length_t D>
   int add_vertices(std::span<const glm::vec<D, float>> values) {
     return add_accessor(values, TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_FLOAT,
-                        D == 2 ? TINYGLTF_TYPE_VEC2 : TINYGLTF_TYPE_VEC3, values.size());
+                        D == 2   ? TINYGLTF_TYPE_VEC2
+                        : D == 3 ? TINYGLTF_TYPE_VEC3
+                                 : TINYGLTF_TYPE_VEC4,
+                        values.size());
   }
 
   int add_positions(std::span<const glm::vec3> positions) {
@@ -292,6 +296,10 @@ class Writer {
     primitive.indices = add_indices(mesh.triangles, mesh.positions.size());
     primitive.attributes["POSITION"] = add_positions(mesh.positions);
     primitive.attributes["NORMAL"] = add_vertices(mesh.normals);
+    if (options_.has_tangents) {
+      primitive.attributes["TANGENT"] = add_vertices(std::span<const glm::vec4>(
+          sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles)));
+    }
     primitive.attributes["TEXCOORD_0"] =
         add_vertices(std::span<const glm::vec2>(gltf_texcoords(mesh, transforms)));
     tinygltf::Mesh entry;

@@ -67,8 +67,12 @@ void read_manner(ObjectReader& reader, Manner& manner) {
       manner.uv.by =
           by->choice({"arc-length", "parameter"}) == 0 ? sweep::UvBy::kArcLength : sweep::UvBy::kParameter;
     }
-    if (const auto repeat = uv.find("repeat"))
-      manner.uv.repeat = repeat->vector<2>({.low = 1e-6, .high = 1e6});
+    const auto repeat = uv.find("repeat");
+    if (repeat) manner.uv.repeat = repeat->vector<2>({.low = 1e-6, .high = 1e6});
+    if (const auto size = uv.find("size")) {
+      if (repeat) size->fail("decides in place of \"repeat\"; leave one out");
+      manner.uv.size = size->is_number() ? glm::dvec2(size->number(kExtent)) : size->vector<2>(kExtent);
+    }
     uv.finish();
   }
   if (const auto node = reader.find("crease_deg")) {

@@ -9,6 +9,7 @@
 #include "stations.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/sweep/sweep.hpp"
+#include "texture_repeats.hpp"
 
 namespace sweepkit::sweep {
 
@@ -23,6 +24,7 @@ Mesh plane(glm::dvec2 size, const PlaneOptions& options) {
   }
   const auto columns = static_cast<std::size_t>(options.tessellation.contour);
   const auto rows = static_cast<std::size_t>(options.tessellation.trajectory);
+  const glm::dvec2 repeat = with_repeats(options.uv, {size.x, false}, {size.y, false}).repeat;
   Mesh mesh;
   lay_out_wall(mesh, {{0, columns}}, {{0, rows}}, std::vector<bool>(rows + 1, false), glm::dvec2(0.0));
   std::size_t vertex = 0;
@@ -32,7 +34,7 @@ Mesh plane(glm::dvec2 size, const PlaneOptions& options) {
       const double u = static_cast<double>(i) / static_cast<double>(columns);
       mesh.positions()[vertex] = glm::vec3(glm::dvec3((u - 0.5) * size.x, 0, (0.5 - v) * size.y));
       mesh.normals()[vertex] = {0, 1, 0};
-      mesh.texcoords()[vertex] = glm::vec2(glm::dvec2(u, v) * options.uv.repeat);
+      mesh.texcoords()[vertex] = glm::vec2(glm::dvec2(u, v) * repeat);
     }
   }
   if (options.tessellation.tolerance) {

@@ -5,9 +5,11 @@
 // right-hand normal (h', -r') turned along; it needs no radius, so it is finite and right at a pole too.
 
 #include "sweepkit/sweep/sweep.hpp"
+#include "texture_repeats.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "dense_sweep.hpp"
@@ -64,13 +66,13 @@ struct Turn {
   bool is_whole;
 };
 
-Turn make_turn(const RevolveOptions& options, int columns) {
+Turn make_turn(const RevolveOptions& options, double u_repeats, int columns) {
   Turn turn{{}, {}, options.angle_deg == 360};
   for (int i = 0; i <= columns; ++i) {
     turn.at.push_back(turn.is_whole  ? cos_sin_turn(i, columns)
                       : i == columns ? cos_sin_deg(options.angle_deg)
                                      : cos_sin_deg(options.angle_deg * i / columns));
-    turn.u.push_back(static_cast<float>(options.uv.repeat.x * i / columns));
+    turn.u.push_back(static_cast<float>(u_repeats * i / columns));
   }
   return turn;
 }
@@ -158,11 +160,17 @@ Mesh revolve(std::span<const Curve2> contour, const RevolveOptions& options) {
     columns = grid.columns;
     deviation = grid.deviation + float_error(box);
   }
-  const Turn turn = make_turn(options, columns);
+  const bool is_whole = options.angle_deg == 360;
+  const Extent round_the_turn{box.high.x * options.angle_deg * (std::numbers::pi / 180), is_whole};
+  const auto uv_of = [&](std::size_t outline) {
+    return with_repeats(options.uv, round_the_turn,
+                        {contour[outline].length(), contour[outline].is_closed()});
+  };
+  const Turn turn = make_turn(options, uv_of(0).repeat.x, columns);
 
   Mesh mesh;
   mesh.origin = choose_origin(box);
-  for (const Section& section : sections) add_wall(mesh, section, turn, options.uv);
+  for (std::size_t i = 0; i < sections.size(); ++i) add_wall(mesh, sections[i], turn, uv_of(i));
   if (options.caps == Caps::kFlat && sections.front().is_closed && !turn.is_whole) {
     add_flat_caps(mesh, sections, samplers.outer_of, half_plane(0, true), false);
     add_flat_caps(mesh, sections, samplers.outer_of, half_plane(options.angle_deg, false), true);

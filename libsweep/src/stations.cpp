@@ -192,13 +192,6 @@ void check_cells(int cells, const char* along) {
   }
 }
 
-void check_texture(const UvOptions& uv) {
-  if (!std::isfinite(uv.repeat.x) || !std::isfinite(uv.repeat.y)) {
-    throw InputError("uv repeat needs two finite numbers, got " + number_text(uv.repeat.x) + " and " +
-                     number_text(uv.repeat.y));
-  }
-}
-
 template std::vector<Piece> smooth_pieces<2>(const Curve<2>&, std::span<const int>);
 template std::vector<Piece> smooth_pieces<3>(const Curve<3>&, std::span<const int>);
 template std::vector<Piece> segment_pieces<2>(const Curve<2>&);

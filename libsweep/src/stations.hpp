@@ -75,9 +75,6 @@ void check_tolerance(std::optional<double> tolerance);
 /// Throws InputError where a loop has fewer cells than a triangle has sides. `what` names it ("contour").
 void check_loop(std::size_t cells, const char* what);
 
-/// Throws InputError unless both repeats are finite.
-void check_texture(const UvOptions& uv);
-
 /// Throws InputError unless 1 <= cells <= kMaxCells. `along` names them in the message ("contour").
 void check_cells(int cells, const char* along);
 

@@ -7,6 +7,7 @@
 // ends are capped (flat_cap, round_cap).
 
 #include "sweepkit/sweep/sweep.hpp"
+#include "texture_repeats.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -136,7 +137,8 @@ std::uint32_t dome_rows(const Swept& swept, const Row& row, const SweepOptions& 
   return static_cast<std::uint32_t>(std::ceil(std::numbers::pi / 4 / std::acos(1 - half)));
 }
 
-void add_cap(Mesh& mesh, const Swept& swept, End end, const SweepOptions& options) {
+// `uv` is that of the wall's first outline.
+void add_cap(Mesh& mesh, const Swept& swept, End end, const SweepOptions& options, const UvOptions& uv) {
   const bool is_first = end == End::kFirst;
   const Row& row = is_first ? swept.spine.rows.front() : swept.spine.rows.back();
   if (!needs_cap(row)) return;
@@ -144,7 +146,7 @@ void add_cap(Mesh& mesh, const Swept& swept, End end, const SweepOptions& option
   sections.reserve(swept.morphs.size());
   for (const Morph& morph : swept.morphs) sections.push_back(section_at(morph, is_first ? 0 : 1));
   if (options.caps == Caps::kRound) {
-    add_round_cap(mesh, sections.front(), row, end, dome_rows(swept, row, options), options.uv);
+    add_round_cap(mesh, sections.front(), row, end, dome_rows(swept, row, options), uv);
     return;
   }
   // Seen from outside the first cap shows the contour mirrored.
@@ -161,14 +163,18 @@ Mesh sweep(std::span<const Curve2> contour, const Curve3& trajectory, const Swee
                                 : sweep_by_counts(contour, trajectory, options);
   Mesh mesh;
   mesh.origin = choose_origin(box_of(swept.spine, reach_of(swept.morphs)));
+  const auto uv_of = [&](std::size_t outline) {
+    return with_repeats(options.uv, {contour[outline].length(), contour[outline].is_closed()},
+                        {swept.spine.length, trajectory.is_closed()});
+  };
   for (std::size_t i = 0; i < swept.morphs.size(); ++i) {
     const Wall wall{swept.morphs[i], split_runs(swept.morphs[i].keys.front().breaks),
                     swept.closing_columns[i]};
-    add_wall(mesh, wall, swept.spine, options.uv);
+    add_wall(mesh, wall, swept.spine, uv_of(i));
   }
   if (options.caps != Caps::kNone && contour.front().is_closed() && !trajectory.is_closed()) {
-    add_cap(mesh, swept, End::kFirst, options);
-    add_cap(mesh, swept, End::kLast, options);
+    add_cap(mesh, swept, End::kFirst, options, uv_of(0));
+    add_cap(mesh, swept, End::kLast, options, uv_of(0));
   }
   if (swept.grid) mesh.deviation = swept.grid->deviation;
   if (options.has_half_edges) write_half_edges(mesh);

@@ -94,6 +94,8 @@ INSTANTIATE_TEST_SUITE_P(
              R"(, "material": "material")",
              R"("textures": {"texture": {"procedural": "checker"}}, "materials": {"material": {"texture":
                 "texture"}})"},
+        Same{"ASizeOfTexture", with(kOfBoth, {"--texture-size", "0.1x0.25"}), kCircle + ", " + kLine,
+             R"(, "uv": {"size": [0.1, 0.25]})"},
         Same{"SetAfterAll", with(kOfBoth, {"--set", "/objects/0/sweep/twist_deg=30"}),
              kCircle + ", " + kLine + R"(, "twist_deg": 30)"}),
     [](const auto& test) { return test.param.name; });
@@ -179,6 +181,8 @@ INSTANTIATE_TEST_SUITE_P(
             "--cells: needs two numbers of cells, along contour and trajectory, such as 48x200, got \"12\""},
         Refused{"NoTolerance", with(kOfBoth, {"--tolerance", "fine"}),
                 "--tolerance: needs metres, such as 0.001, got \"fine\""},
+        Refused{"NoSizeOfTexture", with(kOfBoth, {"--texture-size", "1x2x3"}),
+                "--texture-size: needs metres, such as 0.5 or 0.5x0.25, got \"1x2x3\""},
         Refused{"NoImage", with(kOfBoth, {"--texture", "none.png"}),
                 "--texture: /textures/texture/image: none.png: no such file"},
         Refused{"NoFrames", with(kOfBoth, {"--frames", "loose"}),

@@ -263,6 +263,8 @@ TEST(SceneFaults, Objects) {
        at + "44: /objects/0/crease_deg: needs to be at least 0 and at most 180 degrees, got 181"},
       {with_object(plane + ", \"uv\": {\"by\": \"area\"}"),
        at + "43: /objects/0/uv/by: needs \"arc-length\" or \"parameter\", got \"area\""},
+      {with_object(plane + ", \"uv\": {\"repeat\": [1, 1], \"size\": 2}"),
+       at + "63: /objects/0/uv/size: decides in place of \"repeat\"; leave one out"},
       {with_object(plane + ", \"uv\": {\"repeat\": [0, 1]}"),
        at + "48: /objects/0/uv/repeat/0: needs to be at least 1e-06 and at most 1e+06, got 0"},
       {with_object(plane + ", \"tessellation\": {\"contour\": -3}"),

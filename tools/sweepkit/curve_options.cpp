@@ -43,11 +43,21 @@ scene::Setting cells_setting(const std::string& text) {
                "{\"contour\": " + counts[0] + ", \"trajectory\": " + counts[1] + "}", "--cells");
 }
 
+scene::Setting texture_size_setting(const std::string& text) {
+  const std::vector<std::string> sides = split(text, 'x');
+  if (sides.empty() || sides.size() > 2 || !is_number(sides.front()) || !is_number(sides.back())) {
+    throw InputError({.file = "--texture-size"},
+                     "needs metres, such as 0.5 or 0.5x0.25, got \"" + text + '"');
+  }
+  return plain("/objects/0/uv", "{\"size\": [" + sides.front() + ", " + sides.back() + "]}",
+               "--texture-size");
+}
+
 }  // namespace
 
 bool CurveOptions::are_given() const {
-  const std::string* const texts[] = {&contour, &trajectory, &profile, &twist, &guide,    &frames,
-                                      &caps,    &joints,     &texture, &cells, &tolerance};
+  const std::string* const texts[] = {&contour, &trajectory, &profile, &twist, &guide,     &frames,
+                                      &caps,    &joints,     &texture, &cells, &tolerance, &texture_size};
   return std::any_of(std::begin(texts), std::end(texts),
                      [](const std::string* text) { return !text->empty(); });
 }
@@ -75,6 +85,12 @@ void add_curve_options(CLI::App& command, CurveOptions& options) {
   group.add_option("--joints", options.joints, "miter, smooth, round or bevel")->type_name("J");
   group.add_option("--texture", options.texture, "An image file, or checker, tiles, bands, marble")
       ->type_name("IMG");
+  group
+      .add_option(
+          "--texture-size", options.texture_size,
+          "Its size on the object, metres: 0.5, or width and height 0.5x0.25. As many repeats as fit, "
+          "whole ones round what is closed")
+      ->type_name("M");
   CLI::Option* tolerance =
       group.add_option("--tolerance", options.tolerance, "As few triangles as are within so many metres")
           ->type_name("M");
@@ -109,6 +125,7 @@ scene::SceneFile make_scene(const CurveOptions& options) {
     settings.push_back(plain("/materials", R"({"material": {"texture": "texture"}})", "--texture"));
     settings.push_back(plain(object + "/material", R"("material")", "--texture"));
   }
+  if (!options.texture_size.empty()) settings.push_back(texture_size_setting(options.texture_size));
   if (!options.tolerance.empty()) {
     if (!is_number(options.tolerance)) {
       throw InputError({.file = "--tolerance"},

@@ -24,6 +24,7 @@ struct CurveOptions {
   std::string caps;
   std::string joints;
   std::string texture;
+  std::string texture_size;
   std::string cells;
   std::string tolerance;
 

@@ -118,6 +118,8 @@ void add_generate(CLI::App& app) {
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
+  sub.add_flag("--tangents", command->gltf.has_tangents,
+               "A tangent with handedness at every vertex too, for normal maps in engines that make none");
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);

@@ -18,6 +18,7 @@ class ImageStore;
 struct GltfOptions {
   std::optional<std::string> object;  ///< this object alone
   int bake_size = 1024;               ///< texels on a side of a baked procedural texture
+  bool has_tangents = false;          ///< TANGENT for every vertex (sweepkit/sweep/tangents.hpp)
   ImageStore* images = nullptr;       ///< keeps encoded and baked images for the files to come
 };
 

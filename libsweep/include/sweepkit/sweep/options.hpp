@@ -34,6 +34,10 @@ enum class UvBy { kArcLength, kParameter };
 struct UvOptions {
   UvBy by = UvBy::kArcLength;
   glm::dvec2 repeat{1.0, 1.0};  ///< u runs from 0 to repeat.x, v from 0 to repeat.y
+  /// Metres, of the texture's width and height. Where it is given it decides in place of `repeat`: as many
+  /// repeats as fit, a whole number of them round what is closed. A swept contour is measured as it is drawn,
+  /// a turn where the contour is farthest from the axis.
+  std::optional<glm::dvec2> size;
 };
 
 /// What becomes of a trajectory's corners. The section is kept on both sides, and v goes on by arc length.
