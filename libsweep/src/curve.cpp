@@ -70,6 +70,25 @@ double speed(const Segment<D>& segment, double t) {
   return glm::length(evaluate<D>(segment, t).first);
 }
 
+// Is the speed the same all along, but for rounding: on a line, a circle, an upright helix?
+template <int D>
+bool is_even(const BezierSegment<D>& bezier) {
+  return bezier.control.size() == 2;
+}
+template <int D>
+bool is_even(const ArcSegment<D>& arc) {
+  // The speed's square is |a|^2 + |rise|^2 + 2 a . rise, a = rate (cos y_axis - sin x_axis).
+  const double x = glm::dot(arc.x_axis, arc.x_axis);
+  const double none = 1e-15 * x;
+  const double rise = 1e-15 * std::sqrt(x) * glm::length(arc.rise);
+  return std::abs(glm::dot(arc.y_axis, arc.y_axis) - x) <= none &&
+         std::abs(glm::dot(arc.x_axis, arc.y_axis)) <= none &&
+         std::abs(glm::dot(arc.x_axis, arc.rise)) <= rise && std::abs(glm::dot(arc.y_axis, arc.rise)) <= rise;
+}
+bool is_even(const TorusKnotSegment&) {
+  return false;
+}
+
 template <int D>
 double length_between(const Segment<D>& segment, double from, double to) {
   return gauss_legendre_16(from, to, [&](double t) { return speed<D>(segment, t); });
@@ -186,6 +205,7 @@ CurveLocation Curve<D>::locate(double length) const {
   double low = stretch.from;
   double high = stretch.to;
   double t = whole > 0 ? low + (high - low) * std::min(1.0, wanted / whole) : low;
+  if (std::visit([](const auto& kind) { return is_even(kind); }, segment)) return {stretch.segment, t};
   for (int step = 0; step < 60; ++step) {
     const double error = length_between<D>(segment, stretch.from, t) - wanted;
     if (std::abs(error) <= 1e-15 * this->length()) break;
