@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "distance.hpp"
 #include "halving.hpp"
@@ -154,12 +155,13 @@ std::vector<ColumnPlace> extreme_columns(const std::vector<Morph>& morphs) {
   return extreme;
 }
 
-JoinedTrajectory join_corners(const Curve3& trajectory, const std::vector<Morph>& morphs,
+JoinedTrajectory join_corners(const Curve3& trajectory, const ContourSamplers& samplers,
                               const SweepOptions& options) {
-  const double reach = reach_of(morphs);
+  std::optional<double> reach;
   return join_corners(trajectory, options.joints, options.miter_limit, [&](double length) {
+    if (!reach) reach = reach_of(sample(samplers, kShapeCells));
     const double t = length / trajectory.length();
-    return reach * std::max(options.profile.x.at(t).value, options.profile.y.at(t).value);
+    return *reach * std::max(options.profile.x.at(t).value, options.profile.y.at(t).value);
   });
 }
 
@@ -181,7 +183,7 @@ DenseSweep make_dense_sweep(const ContourSamplers& samplers, const Curve3& given
   const int straight = kLeastLooks << (2 * density);
   dense.morphs = sample_densely(samplers, bound / size, tolerance, straight);
   const std::vector<ColumnPlace> extreme = extreme_columns(dense.morphs);
-  const Curve3 trajectory = join_corners(given, dense.morphs, options).curve;
+  const Curve3 trajectory = join_corners(given, samplers, options).curve;
   std::vector<Piece> pieces = segment_pieces(trajectory);
   dense.changes = changes_on_the_way(trajectory, options);
   std::vector<int> cells = least_cells(pieces, dense.changes ? straight : 1);

@@ -55,8 +55,11 @@ DenseSweep make_dense_sweep(const ContourSamplers& samplers, const Curve3& traje
 /// The columns that lie farthest out in directions all round.
 std::vector<ColumnPlace> extreme_columns(const std::vector<Morph>& morphs);
 
+/// Cells of a contour by which shapes are chosen that are not to depend on the mesh's own.
+inline constexpr int kShapeCells = 512;
+
 /// `trajectory` with its corners joined for what the contour reaches there.
-JoinedTrajectory join_corners(const Curve3& trajectory, const std::vector<Morph>& morphs,
+JoinedTrajectory join_corners(const Curve3& trajectory, const ContourSamplers& samplers,
                               const SweepOptions& options);
 
 }  // namespace sweepkit::sweep

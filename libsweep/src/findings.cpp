@@ -315,7 +315,7 @@ std::vector<Finding> check_sweep(std::span<const Curve2> contour, const Curve3& 
                                                  OutlineSampler::PiecesBy::kCorners);
   Checked checked;
   checked.morphs = sample(samplers, kColumns);
-  const auto [trajectory, least_cells] = join_corners(given, checked.morphs, options);
+  const auto [trajectory, least_cells] = join_corners(given, samplers, options);
   checked.spine = make_spine(trajectory, look_at_bends(trajectory, least_cells), checked.morphs, options);
   std::vector<Finding> findings;
   find_folds(findings, checked);

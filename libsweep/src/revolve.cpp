@@ -5,7 +5,6 @@
 // right-hand normal (h', -r') turned along; it needs no radius, so it is finite and right at a pole too.
 
 #include "sweepkit/sweep/sweep.hpp"
-#include "texture_repeats.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +21,7 @@
 #include "revolve_tolerance.hpp"
 #include "section.hpp"
 #include "sweepkit/error.hpp"
+#include "texture_repeats.hpp"
 #include "whole_angle.hpp"
 
 namespace sweepkit::sweep {

@@ -52,14 +52,17 @@ double dome_height(const Section& section, const Row& row, const glm::dvec2& g) 
 
 }  // namespace
 
-void add_round_cap(Mesh& mesh, const Section& section, const Row& row, End end, std::uint32_t rows,
-                   const UvOptions& uv) {
+Dome dome_over(const Section& section, const Row& row) {
+  const glm::dvec2 g = centroid_of(outline_of(section));
+  return {g, dome_height(section, row, g)};
+}
+
+void add_round_cap(Mesh& mesh, const Section& section, const Row& row, End end, const Dome& dome,
+                   std::uint32_t rows, const UvOptions& uv) {
   const bool is_first = end == End::kFirst;
   const glm::dvec3 tangent = is_first ? row.out.frame.tangent : row.in.frame.tangent;
   const glm::dvec3 outwards = is_first ? -tangent : tangent;
-  const glm::dvec2 g = centroid_of(outline_of(section));
-  const double height = dome_height(section, row, g);
-
+  const auto [g, height] = dome;
   const std::vector<Run> column_runs = split_runs(section.breaks);
   const std::vector<Run> row_runs = {{0, rows}};
   std::vector<bool> poles(rows + 1, false);

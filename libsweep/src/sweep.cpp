@@ -7,7 +7,6 @@
 // ends are capped (flat_cap, round_cap).
 
 #include "sweepkit/sweep/sweep.hpp"
-#include "texture_repeats.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +26,7 @@
 #include "section.hpp"
 #include "spine.hpp"
 #include "sweepkit/error.hpp"
+#include "texture_repeats.hpp"
 #include "tolerance.hpp"
 #include "wall.hpp"
 
@@ -42,7 +42,8 @@ struct Swept {
   std::vector<std::size_t> outer_of;
   std::vector<std::size_t> closing_columns;
   Spine spine;
-  std::optional<Grid> grid;  // that a tolerance has chosen
+  std::optional<Grid> grid;   // that a tolerance has chosen
+  double dome_tolerance = 0;  // metres, of what the tolerance leaves to the rows of round caps
 };
 
 void check_options(std::span<const Curve2> contour, const SweepOptions& options) {
@@ -77,7 +78,7 @@ Swept sweep_by_counts(std::span<const Curve2> contour, const Curve3& given, cons
   Swept swept;
   swept.outer_of = samplers.outer_of;
   swept.morphs = sample(samplers, options.tessellation.contour);
-  const auto [trajectory, least_cells] = join_corners(given, swept.morphs, options);
+  const auto [trajectory, least_cells] = join_corners(given, samplers, options);
   const std::vector<Station> stations =
       place_stations(trajectory, options.tessellation.trajectory, least_cells);
   swept.spine = make_spine(trajectory, stations, swept.morphs, options);
@@ -98,17 +99,23 @@ Swept sweep_to_tolerance(std::span<const Curve2> contour, const Curve3& given, c
   const double left = tolerance_left(tolerance, box);
   Swept swept;
   swept.outer_of = dense.outer_of;
-  swept.grid = fit_grid(dense, left);
+  // What a dome misses between its columns and between its rows may add up.
+  const bool has_domes = options.caps == Caps::kRound && !given.is_closed();
+  const double columns_share = has_domes ? 0.5 : 1;
+  swept.dome_tolerance = (1 - columns_share) * left;
+  swept.grid = fit_grid(dense, left, columns_share);
   // Cells that twist may be as small as those of the dense sweep: then it is too coarse to tell.
   for (int density = 1; !is_well_measured(dense, *swept.grid, left) && density <= kMostDensity; ++density) {
     dense = make_dense_sweep(samplers, given, options, tolerance, density);
-    swept.grid = fit_grid(dense, left);
+    swept.grid = fit_grid(dense, left, columns_share);
   }
   if (swept.grid->deviation > left) {
     throw InputError("tolerance of " + number_text(tolerance) +
                      " m is not reached with the most cells there may be, " +
                      number_text(swept.grid->deviation) + " m is; ask for a larger one");
   }
+  // As chosen, a dome misses that much between its rows and as much between its columns.
+  if (has_domes) swept.grid->deviation = std::max(swept.grid->deviation, 2 * swept.dome_tolerance);
   swept.grid->deviation += float_error(box);
   swept.spine = kept_rows(dense.spine, swept.grid->rows);
   for (std::size_t i = 0; i < dense.morphs.size(); ++i) {
@@ -132,13 +139,13 @@ std::uint32_t dome_rows(const Swept& swept, const Row& row, const SweepOptions& 
     return static_cast<std::uint32_t>(std::max<std::size_t>(4, (swept.morphs.front().columns() + 3) / 4));
   }
   const double radius = reach_of(swept.morphs) * std::max(glm::length(row.x_axis), glm::length(row.y_axis));
-  // The columns take half of the tolerance at most where the rows are to take the other half.
-  const double half = std::clamp(0.5 * *options.tessellation.tolerance / radius, 1e-10, 0.5);
-  return static_cast<std::uint32_t>(std::ceil(std::numbers::pi / 4 / std::acos(1 - half)));
+  const double share = std::clamp(swept.dome_tolerance / radius, 1e-10, 0.5);
+  return static_cast<std::uint32_t>(std::ceil(std::numbers::pi / 4 / std::acos(1 - share)));
 }
 
 // `uv` is that of the wall's first outline.
-void add_cap(Mesh& mesh, const Swept& swept, End end, const SweepOptions& options, const UvOptions& uv) {
+void add_cap(Mesh& mesh, std::span<const Curve2> contour, const Swept& swept, End end,
+             const SweepOptions& options, const UvOptions& uv) {
   const bool is_first = end == End::kFirst;
   const Row& row = is_first ? swept.spine.rows.front() : swept.spine.rows.back();
   if (!needs_cap(row)) return;
@@ -146,7 +153,11 @@ void add_cap(Mesh& mesh, const Swept& swept, End end, const SweepOptions& option
   sections.reserve(swept.morphs.size());
   for (const Morph& morph : swept.morphs) sections.push_back(section_at(morph, is_first ? 0 : 1));
   if (options.caps == Caps::kRound) {
-    add_round_cap(mesh, sections.front(), row, end, dome_rows(swept, row, options), uv);
+    // Of a section that is always as fine: however coarse the mesh is, the dome is the same.
+    const ContourSamplers samplers = make_samplers(contour, options.morph, options.crease_deg, options.uv.by,
+                                                   OutlineSampler::PiecesBy::kCorners);
+    const Section fine = section_at(sample(samplers, kShapeCells).front(), is_first ? 0 : 1);
+    add_round_cap(mesh, sections.front(), row, end, dome_over(fine, row), dome_rows(swept, row, options), uv);
     return;
   }
   // Seen from outside the first cap shows the contour mirrored.
@@ -173,8 +184,8 @@ Mesh sweep(std::span<const Curve2> contour, const Curve3& trajectory, const Swee
     add_wall(mesh, wall, swept.spine, uv_of(i));
   }
   if (options.caps != Caps::kNone && contour.front().is_closed() && !trajectory.is_closed()) {
-    add_cap(mesh, swept, End::kFirst, options, uv_of(0));
-    add_cap(mesh, swept, End::kLast, options, uv_of(0));
+    add_cap(mesh, contour, swept, End::kFirst, options, uv_of(0));
+    add_cap(mesh, contour, swept, End::kLast, options, uv_of(0));
   }
   if (swept.grid) mesh.deviation = swept.grid->deviation;
   if (options.has_half_edges) write_half_edges(mesh);

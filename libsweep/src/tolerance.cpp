@@ -57,16 +57,16 @@ class GridFitter {
     for (const Morph& morph : dense_.morphs) lengths_.push_back(chord_lengths(morph.keys.front()));
   }
 
-  Grid fit(double tolerance) const {
+  Grid fit(double tolerance, double largest_share) const {
     const double bound = tolerance * (1 - kSampleMargin);
-    Grid best = fit_columns(bound, std::numeric_limits<double>::infinity());
+    Grid best = fit_columns(bound, std::numeric_limits<double>::infinity(), largest_share);
     if (!dense_.changes) return best;
     // What a twisted cell misses grows with its width, however straight its sides are: narrower columns may
     // need so many rows less that it pays.
     double width = widest_column(best);
     for (int halved = 0; halved < kMostHalvings; ++halved) {
       width /= 2;
-      Grid narrower = fit_columns(bound, width);
+      Grid narrower = fit_columns(bound, width, largest_share);
       if (best.deviation <= bound && !(narrower.deviation <= bound && cells_of(narrower) < cells_of(best)))
         break;
       best = std::move(narrower);
@@ -75,14 +75,14 @@ class GridFitter {
   }
 
  private:
-  Grid fit_columns(double bound, double width) const {
+  Grid fit_columns(double bound, double width, double largest_share) const {
     Grid best;
-    double best_share = 1;
+    double best_share = largest_share;
     std::size_t least = std::numeric_limits<std::size_t>::max();
     int worse = 0;
     std::vector<std::vector<std::size_t>> before;
     for (int k = 0; k <= kShares && worse < kWorseShares; ++k) {
-      const double share = std::exp2(-static_cast<double>(k) / kSharesAnOctave);
+      const double share = largest_share * std::exp2(-static_cast<double>(k) / kSharesAnOctave);
       Grid grid{cut_columns(share * bound, width)};
       if (grid.columns == before) continue;
       before = grid.columns;
@@ -308,8 +308,8 @@ class GridFitter {
 
 }  // namespace
 
-Grid fit_grid(const DenseSweep& dense, double tolerance) {
-  return GridFitter(dense).fit(tolerance);
+Grid fit_grid(const DenseSweep& dense, double tolerance, double largest_share) {
+  return GridFitter(dense).fit(tolerance, largest_share);
 }
 
 bool is_well_measured(const DenseSweep& dense, const Grid& grid, double tolerance) {

@@ -13,9 +13,10 @@
 
 namespace sweepkit::sweep {
 
-/// The grid of fewest triangles, nearly, that is within `tolerance` of the dense surface everywhere. Keeps
-/// the ends, every corner and every pole.
-Grid fit_grid(const DenseSweep& dense, double tolerance);
+/// The grid of fewest triangles, nearly, that is within `tolerance` of the dense surface everywhere, and
+/// whose columns alone take no more than `largest_share` of that. Keeps the ends, every corner and every
+/// pole.
+Grid fit_grid(const DenseSweep& dense, double tolerance, double largest_share);
 
 /// Is the grid within `tolerance`, and has it cells large enough for the dense sweep to look inside of them?
 bool is_well_measured(const DenseSweep& dense, const Grid& grid, double tolerance);
