@@ -4,17 +4,24 @@
 // Scenes, SVG files and lists of points, spoiled at random: each is read or refused with an InputError of one
 // line, and soon. Every round draws from its own seed, so that one that fails can be had again alone:
 //   SWEEPKIT_FUZZ_FIRST=<round> SWEEPKIT_FUZZ_ROUNDS=1 test_scene_fuzz
+// SWEEPKIT_FUZZ_SECONDS=<seconds> makes each test go on so long.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 #include <random>
 
 #include "outline_measures.hpp"
 #include "read_curve_file.hpp"
 #include "scene_text.hpp"
+#include "sweepkit/scene/check.hpp"
+#include "sweepkit/scene/model.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -248,9 +255,15 @@ class Fuzz : public testing::Test {
     folder.write("seed.csv", kPoints[0]);
     folder.write("seed.dat", kPoints[1]);
     const int first = from_environment("SWEEPKIT_FUZZ_FIRST", 0);
-    const int rounds = from_environment("SWEEPKIT_FUZZ_ROUNDS", kRounds / share);
+    const int most_seconds = from_environment("SWEEPKIT_FUZZ_SECONDS", 0);
+    const int most_rounds = most_seconds > 0 ? std::numeric_limits<int>::max() - first
+                                             : from_environment("SWEEPKIT_FUZZ_ROUNDS", kRounds / share);
+    const auto begin = std::chrono::steady_clock::now();
+    const std::chrono::seconds time(most_seconds);
     int refused = 0;
-    for (int i = first; i < first + rounds; ++i) {
+    int rounds = 0;
+    for (int i = first; rounds < most_rounds; ++i, ++rounds) {
+      if (most_seconds > 0 && std::chrono::steady_clock::now() - begin > time) break;
       Random random(static_cast<std::uint64_t>(i));
       const std::string text = spoiled(random, corpus);
       const std::clock_t start = std::clock();
@@ -260,6 +273,8 @@ class Fuzz : public testing::Test {
       ASSERT_LT(seconds, kMostSeconds) << "round " << i << " of:\n" << text;
       ASSERT_FALSE(HasFailure()) << "round " << i << " of:\n" << text;
     }
+    std::printf("%d rounds, %d readings refused, the slowest took %.0f ms\n", rounds, refused,
+                1000 * slowest);
     RecordProperty("refused", refused);
     RecordProperty("slowest_ms", static_cast<int>(1000 * slowest));
     // Spoiled texts that all were refused, or none, would have tested half of the readers.
@@ -276,6 +291,32 @@ class Fuzz : public testing::Test {
 TEST_F(Fuzz, ScenesAreReadOrRefused) {
   run(kScenes, 4, [&](const std::string& text, int& refused) {
     read_or_refuse([&] { parse_document(text, folder.path() / "s.json"); }, refused);
+  });
+}
+
+TEST_F(Fuzz, ObjectsAreMadeOrRefused) {
+  run(kScenes, 12, [&](const std::string& text, int& refused) {
+    read_or_refuse(
+        [&] {
+          Document document = parse_document(text, folder.path() / "s.json");
+          for (ObjectEntry& object : document.objects) {
+            for (Piece& piece : object.pieces) {
+              // Small ones: what is looked for does not hide in a number of cells.
+              piece.tessellation.contour = std::min(piece.tessellation.contour, 12);
+              piece.tessellation.trajectory = std::min(piece.tessellation.trajectory, 12);
+              if (piece.tessellation.tolerance)
+                piece.tessellation.tolerance = std::max(*piece.tessellation.tolerance, 0.02);
+            }
+          }
+          const Model model = build(document, plan(document, {.product = Request::Product::kMeshFile}));
+          for (const auto& mesh : model.meshes) {
+            for (const glm::vec3& p : mesh->positions())
+              ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+            for (const glm::vec3& n : mesh->normals()) ASSERT_NEAR(glm::length(glm::dvec3(n)), 1, 1e-6);
+          }
+          check(document, model, Thoroughness::kQuick);
+        },
+        refused);
   });
 }
 
