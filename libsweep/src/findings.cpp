@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 #include <numbers>
 
 #include "dense_sweep.hpp"
@@ -201,7 +202,8 @@ void find_lost_directions(std::vector<Finding>& findings, const Checked& checked
   }
 }
 
-void find_cusps(std::vector<Finding>& findings, const Checked& checked) {
+std::vector<Finding> find_cusps(const Checked& checked) {
+  std::vector<Finding> findings;
   const std::vector<Row>& rows = checked.spine.rows;
   for (std::size_t j = 0; j + 1 < rows.size(); ++j) {
     const double cosine = glm::dot(rows[j].out.frame.tangent, rows[j + 1].in.frame.tangent);
@@ -217,6 +219,17 @@ void find_cusps(std::vector<Finding>& findings, const Checked& checked) {
     finding.cure = "draw the turn as a bend or as a corner";
     findings.push_back(std::move(finding));
   }
+  return findings;
+}
+
+// Any contour folds where the trajectory has a cusp: that is told, and no cure by size.
+void leave_out_folds_at(std::vector<Finding> cusps, std::vector<Finding>& findings) {
+  std::erase_if(findings, [&](const Finding& fold) {
+    return std::any_of(cusps.begin(), cusps.end(),
+                       [&](const Finding& cusp) { return fold.from <= cusp.to && cusp.from <= fold.to; });
+  });
+  findings.insert(findings.end(), std::make_move_iterator(cusps.begin()),
+                  std::make_move_iterator(cusps.end()));
 }
 
 void find_contour_crossings(std::vector<Finding>& findings, std::span<const Curve2> contour) {
@@ -319,7 +332,7 @@ std::vector<Finding> check_sweep(std::span<const Curve2> contour, const Curve3& 
   checked.spine = make_spine(trajectory, look_at_bends(trajectory, least_cells), checked.morphs, options);
   std::vector<Finding> findings;
   find_folds(findings, checked);
-  find_cusps(findings, checked);
+  leave_out_folds_at(find_cusps(checked), findings);
   find_lost_directions(findings, checked, trajectory, options.orientation);
   find_contour_crossings(findings, contour);
   for (const MorphKey& key : options.morph) find_contour_crossings(findings, key.contour);

@@ -30,6 +30,14 @@ TEST(Check, TellsAFoldWithItsPlaceAndItsCure) {
   EXPECT_TRUE(has(run.out, R"("severity": 1.1)")) << run.out;
 }
 
+TEST(Check, FindsTheThreeFaultsOfTheSample) {
+  const Outcome run = Workshop().sweepkit({"check", SWEEPKIT_SAMPLES "/scenes/faults.json", "--json"});
+  EXPECT_TRUE(has(run.out, R"("object": "fold", "kind": "fold", "t": 0.5,)")) << run.out;
+  EXPECT_TRUE(has(run.out, R"("object": "crossing", "kind": "crossing")")) << run.out;
+  EXPECT_TRUE(has(run.out, R"("object": "cusp", "kind": "cusp", "t": 0.5,)")) << run.out;
+  EXPECT_FALSE(has(run.out, R"("object": "cusp", "kind": "fold")")) << run.out;
+}
+
 TEST(Check, EndsWith3WhenStrictAndThereIsAFinding) {
   const Workshop workshop;
   workshop.write("s.json", scene_of(kFold));

@@ -86,6 +86,7 @@ TEST(Extreme, CuspsAreFoundAndLeaveTheMeshSound) {
       const Finding* cusp = find(findings, FindingKind::kCusp);
       ASSERT_NE(cusp, nullptr);
       EXPECT_NEAR(cusp->t, 0.5, 1e-6);
+      EXPECT_EQ(find(findings, FindingKind::kFold), nullptr);  // no size would cure it
       EXPECT_NEAR(cusp->severity, 180, 1);
       options.tessellation.tolerance = 1e-3;
       expect_sound(sweep(circle_contour(1e-2), *curve, options));
