@@ -19,13 +19,14 @@ std::vector<sweep::Finding> curve_findings(const Piece& piece) {
   return {};
 }
 
-// A fold's own surface goes through itself beside it.
+// The surface goes through itself beside a fold or a cusp, and where a morph folds.
 bool is_of_a_fold(const sweep::Finding& crossing, const std::vector<sweep::Finding>& others) {
   // Reaches a little beyond the stretch that runs backwards.
   constexpr double kBeside = 0.1;
   return std::any_of(others.begin(), others.end(), [&](const sweep::Finding& other) {
-    return other.kind == sweep::FindingKind::kFold && crossing.t > other.from - kBeside &&
-           *crossing.other < other.to + kBeside;
+    const bool folds = other.kind == sweep::FindingKind::kFold || other.kind == sweep::FindingKind::kCusp ||
+                       other.kind == sweep::FindingKind::kFoldedMorph;
+    return folds && crossing.t > other.from - kBeside && *crossing.other < other.to + kBeside;
   });
 }
 

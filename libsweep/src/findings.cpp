@@ -253,6 +253,48 @@ void find_contour_crossings(std::vector<Finding>& findings, std::span<const Curv
   }
 }
 
+// Places between two contours of a morph that are looked at.
+constexpr int kMorphLooks = 16;
+
+// Where the section goes through itself between contours that do not.
+void find_folded_morphs(std::vector<Finding>& findings, const Checked& checked) {
+  for (const Morph& morph : checked.morphs) {
+    const auto crossing_at = [&](double t) {
+      const Section section = section_at(morph, t);
+      std::vector<glm::dvec2> points;
+      points.reserve(section.points.size());
+      for (const SectionPoint& point : section.points) points.push_back(point.position);
+      if (section.is_closed) points.pop_back();
+      return find_crossing(points, section.is_closed);
+    };
+    for (std::size_t k = 0; k + 1 < morph.keys.size(); ++k) {
+      const double from = morph.at[k];
+      const double to = morph.at[k + 1];
+      if (crossing_at(from) || crossing_at(to)) continue;
+      std::vector<double> crossed;
+      for (int i = 1; i < kMorphLooks; ++i) {
+        const double t = from + (to - from) * i / kMorphLooks;
+        if (crossing_at(t)) crossed.push_back(t);
+      }
+      if (crossed.empty()) continue;
+      const double t = crossed[crossed.size() / 2];
+      const std::vector<double>& shares = checked.spine.shares;
+      const auto row =
+          static_cast<std::size_t>(std::lower_bound(shares.begin(), shares.end() - 1, t) - shares.begin());
+      Finding finding{.kind = FindingKind::kFoldedMorph,
+                      .t = t,
+                      .from = crossed.front(),
+                      .to = crossed.back(),
+                      .point = position_of(checked.spine.rows[row], crossing_at(t)->point),
+                      .severity = static_cast<double>(crossed.size()) / (kMorphLooks - 1)};
+      finding.problem = "on its way from the contour at t = " + number_text(from) +
+                        " to that at t = " + number_text(to) + " the section goes through itself";
+      finding.cure = "give a contour between them, at t = " + number_text(t);
+      findings.push_back(std::move(finding));
+    }
+  }
+}
+
 double largest_scale(const Spine& spine) {
   double scale = 0;
   for (const Row& row : spine.rows)
@@ -313,6 +355,8 @@ const char* name_of(FindingKind kind) {
       return "crossing";
     case FindingKind::kContourCrossing:
       return "contour crossing";
+    case FindingKind::kFoldedMorph:
+      return "folded morph";
     case FindingKind::kCusp:
       return "cusp";
     case FindingKind::kNoDirection:
@@ -333,6 +377,7 @@ std::vector<Finding> check_sweep(std::span<const Curve2> contour, const Curve3& 
   std::vector<Finding> findings;
   find_folds(findings, checked);
   leave_out_folds_at(find_cusps(checked), findings);
+  find_folded_morphs(findings, checked);
   find_lost_directions(findings, checked, trajectory, options.orientation);
   find_contour_crossings(findings, contour);
   for (const MorphKey& key : options.morph) find_contour_crossings(findings, key.contour);

@@ -121,6 +121,36 @@ TEST(Finding, AContourThatGoesThroughItselfIsFound) {
   EXPECT_NEAR(findings[0].point.y, 0.8 / 1.8, 1e-12);
 }
 
+TEST(Finding, AMorphThatFoldsOnItsWayIsFoundBetweenItsContours) {
+  // A horseshoe that opens to the right and its mirror image: every point goes straight across.
+  const auto horseshoe = [](double side) {
+    return polyline<2>({{side * 1, 0.9},
+                        {side * -1, 0.9},
+                        {side * -1, -0.9},
+                        {side * 1, -0.9},
+                        {side * 1, -0.7},
+                        {side * -0.8, -0.7},
+                        {side * -0.8, 0.7},
+                        {side * 1, 0.7}},
+                       true);
+  };
+  const Curve3 line = polyline<3>({{0, 0, 0}, {0, 0, 3}}, false);
+  SweepOptions options;
+  options.morph.push_back({0.5, {horseshoe(-1)}});
+  options.morph.push_back({1, {horseshoe(-1)}});
+  const std::vector<Finding> findings = check(horseshoe(1), line, options);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].kind, FindingKind::kFoldedMorph);
+  EXPECT_GT(findings[0].from, 0);
+  EXPECT_LT(findings[0].to, 0.5);
+  EXPECT_NEAR(findings[0].point.z, 3 * findings[0].t, 0.01);
+  // A circle between them keeps it from folding.
+  options.morph.insert(options.morph.begin(), {0.25, {circle_contour(1)}});
+  EXPECT_TRUE(check(horseshoe(1), line, options).empty());
+  // A star that becomes a circle does not.
+  EXPECT_TRUE(check(star_contour(5, 1, 0.4), line, {.morph = {{1, {circle_contour(1)}}}}).empty());
+}
+
 TEST(Finding, DirectionsThatTellNothingAreFound) {
   const Curve3 up = polyline<3>({{0, 0, 0}, {0, 3, 0}}, false);
   const auto kind = [&](const Orientation& orientation) {

@@ -18,6 +18,7 @@ enum class FindingKind {
   kFold,      ///< the contour reaches past the trajectory's centre of curvature, or past a short leg's mitre
   kCrossing,  ///< distant parts of the surface go through each other
   kContourCrossing,  ///< the contour goes through itself
+  kFoldedMorph,      ///< on its way from one contour to the next the section goes through itself
   kCusp,             ///< the trajectory turns back in a point
   kNoDirection,      ///< `up`, guide or curvature tell no direction: the frame goes on without
   kPrecision,        ///< the coordinates are so large that float32 loses what the object is made of
@@ -30,7 +31,8 @@ struct Finding {
   double from = 0, to = 0;      ///< the stretch
   std::optional<double> other;  ///< of a crossing: t of the other part
   glm::dvec3 point{0.0};        ///< there, in the object's own space
-  /// How bad, by kind: reach / radius of curvature (above 1); metres of depth; angle in degrees; metres lost.
+  /// How bad, by kind: reach / radius of curvature (above 1); metres of depth; angle in degrees; metres lost;
+  /// of a morph the share of the way between the two contours.
   double severity = 0;
   std::string problem;  ///< with its numbers: "the contour reaches 0.11 m, the trajectory bends with 0.1 m"
   std::string cure;     ///< "0.909 times the contour fits"
