@@ -8,6 +8,9 @@ class App;
 
 namespace sweepkit::tools {
 
+/// What --threads takes at most.
+inline constexpr int kMostThreads = 1024;
+
 /// Each adds one command to the program: its options, its help with an example, and what it does when it is
 /// called. Commands throw InputError and OutputError; main() turns them into an exit status.
 void add_generate(CLI::App& app);

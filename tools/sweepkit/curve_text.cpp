@@ -114,10 +114,13 @@ std::string line_json(const std::string& arguments, const std::string& option) {
 bool is_number(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  // JSON's numbers begin and end with a digit.
+  if (error != std::errc() || end != text.data() + text.size()) return false;
+  // JSON's numbers begin and end with a digit, and a 0 only where it stands alone before the point.
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  return error == std::errc() && end == text.data() + text.size() && is_digit(text.back()) &&
-         (is_digit(text.front()) || (text.size() > 1 && text.front() == '-' && is_digit(text[1])));
+  const std::string unsigned_text = text.substr(text.front() == '-' ? 1 : 0);
+  const bool has_idle_zero =
+      unsigned_text.size() > 1 && unsigned_text[0] == '0' && is_digit(unsigned_text[1]);
+  return is_digit(text.back()) && is_digit(unsigned_text.front()) && !has_idle_zero;
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {

@@ -21,10 +21,10 @@ scene::Setting law_setting(const std::string& text, const std::string& pointer, 
 /// `text` as a JSON string.
 std::string json_string(const std::string& text);
 
-/// Is all of `text` a number?
+/// Is all of `text` a number as JSON writes them?
 bool is_number(const std::string& text);
 
-/// The parts between commas, or none of an empty text.
+/// The parts between separators, or none of an empty text.
 std::vector<std::string> split(const std::string& text, char separator);
 
 }  // namespace sweepkit::tools

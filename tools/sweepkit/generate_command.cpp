@@ -20,8 +20,6 @@ namespace {
 
 constexpr int kMostTexels = 16384;  // a side: kMostPixels in all
 
-constexpr int kMostThreads = 1024;
-
 void write(const scene::GltfFile& gltf, const std::filesystem::path& file) {
   std::vector<scene::OutputFile> files;
   for (const scene::NamedBytes& part : gltf.files) {

@@ -19,7 +19,6 @@
 namespace sweepkit::tools {
 namespace {
 
-constexpr int kMostThreads = 1024;
 constexpr int kDeepest = 64;  // as the scene's "depth" has it
 
 struct Render {
