@@ -62,7 +62,8 @@ void add_round_cap(Mesh& mesh, const Section& section, const Row& row, End end, 
   const bool is_first = end == End::kFirst;
   const glm::dvec3 tangent = is_first ? row.out.frame.tangent : row.in.frame.tangent;
   const glm::dvec3 outwards = is_first ? -tangent : tangent;
-  const auto [g, height] = dome;
+  const glm::dvec2 g = dome.middle;
+  const double height = dome.height;
   const std::vector<Run> column_runs = split_runs(section.breaks);
   const std::vector<Run> row_runs = {{0, rows}};
   std::vector<bool> poles(rows + 1, false);
