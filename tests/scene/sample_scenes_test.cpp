@@ -188,7 +188,8 @@ TEST(SampleScenes, EncloseWhatTheirClosedFormsSay) {
 TEST(SampleScenes, HaveNoFindings) {
   std::size_t scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(SWEEPKIT_SAMPLES) + "/scenes")) {
-    if (entry.path().extension() != ".json") continue;
+    // faults.json shows findings: tests/cli/check_test.cpp holds which.
+    if (entry.path().extension() != ".json" || entry.path().stem() == "faults") continue;
     const Document document = read_document(entry.path());
     Plan shapes = plan(document, {.product = Request::Product::kMeshFile});
     std::fill(shapes.textures.begin(), shapes.textures.end(), false);
@@ -196,7 +197,7 @@ TEST(SampleScenes, HaveNoFindings) {
       ADD_FAILURE() << entry.path() << ": " << found.object << ": " << found.finding.problem;
     ++scenes;
   }
-  EXPECT_GE(scenes, 12u);
+  EXPECT_GE(scenes, 18u);
 }
 
 // A prismatoid with a profile has no closed form here, but its rows do: their polygons' areas by Simpson.
