@@ -30,9 +30,10 @@ void BandCounts::add(const BandCounts& other) {
 }
 
 BandPainter::BandPainter(const scene::Scene& scene, const scene::Plan& plan, const TreeBuilder& builder,
-                         const Shader& shader, int supersampling)
+                         const Shader& shader, texmap::TileCache& tiles, int supersampling)
     : builder_(builder),
       shader_(shader),
+      tiles_(tiles),
       eye_rays_(scene.camera, scene.width * supersampling, scene.height * supersampling),
       width_(scene.width * supersampling),
       supersampling_(supersampling),
@@ -41,6 +42,7 @@ BandPainter::BandPainter(const scene::Scene& scene, const scene::Plan& plan, con
 BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
                               const std::atomic<bool>* is_cancelled) const {
   BandCounts counts;
+  texmap::FilterThread filter(tiles_);
   std::array<TreeRow, 3> rows;
   const auto trace = [&](TreeRow& row, int y) {
     builder_.build(row, eye_rays_, y, width_, has_neighbour_rows_, counts.rays);
@@ -69,7 +71,7 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
     }
     const Clock::time_point start = Clock::now();
     for (int x = 0; x < width_; ++x)
-      colors[static_cast<std::size_t>(x)] = shader_.pixel(window, x, counts.shading);
+      colors[static_cast<std::size_t>(x)] = shader_.pixel(window, x, filter, counts.shading);
     counts.shade_seconds += std::chrono::duration<double>(Clock::now() - start).count();
 
     const int k = y % supersampling_;

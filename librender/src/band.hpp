@@ -10,6 +10,7 @@
 #include "supersampling.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/texmap/image.hpp"
+#include "sweepkit/texmap/tile_cache.hpp"
 
 namespace sweepkit::render {
 
@@ -32,7 +33,7 @@ struct BandCounts {
 class BandPainter {
  public:
   BandPainter(const scene::Scene& scene, const scene::Plan& plan, const TreeBuilder& builder,
-              const Shader& shader, int supersampling);
+              const Shader& shader, texmap::TileCache& tiles, int supersampling);
 
   /// Rows first..end-1 of `image`. Stops early when `is_cancelled` is set.
   BandCounts paint(texmap::Image& image, int first, int end, const std::atomic<bool>* is_cancelled) const;
@@ -40,6 +41,7 @@ class BandPainter {
  private:
   const TreeBuilder& builder_;
   const Shader& shader_;
+  texmap::TileCache& tiles_;
   EyeRays eye_rays_;
   int width_;  // of the larger picture
   int supersampling_;

@@ -17,14 +17,14 @@
 #include "intersection_tree.hpp"
 #include "shading.hpp"
 #include "sweepkit/error.hpp"
-#include "sweepkit/texmap/summed_area_table.hpp"
+#include "sweepkit/texmap/texture_sampler.hpp"
+#include "sweepkit/texmap/tile_cache.hpp"
 #include "tracer.hpp"
 
 namespace sweepkit::render {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Tables = std::vector<std::optional<texmap::SummedAreaTable>>;
 
 // Rows of a band. Each band traces two rows more than it draws, so a short one wastes work and a long one
 // leaves threads idle at the end: at 32 the waste is 6 %.
@@ -34,16 +34,18 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Tables make_tables(const scene::Scene& scene, const scene::Plan& plan, scene::Ledger& ledger) {
-  Tables tables(scene.textures.size());
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    if (!plan.tables[i]) continue;
-    const auto& [image, wrap] = std::get<texmap::ImageTexture>(scene.textures[i]);
-    tables[i].emplace(*image, wrap);
-    ledger[scene::Part::kTables].bytes += tables[i]->bytes();
+Samplers make_samplers(const scene::Scene& scene, const scene::Plan& plan, texmap::Filter filter,
+                       texmap::TileCache& tiles, scene::Ledger& ledger) {
+  Samplers samplers(scene.textures.size());
+  for (std::size_t i = 0; i < samplers.size(); ++i) {
+    if (!plan.filtered[i]) continue;
+    samplers[i].emplace(std::get<texmap::ImageTexture>(scene.textures[i]), filter, tiles,
+                        static_cast<std::uint32_t>(i));
+    if (!texmap::reads_table(filter)) continue;
+    ledger[scene::Part::kTables].bytes += samplers[i]->table_bytes();
     ledger[scene::Part::kTables].calls += 1;
   }
-  return tables;
+  return samplers;
 }
 
 void count_occupancy(const Tracer& tracer, Statistics& statistics) {
@@ -104,14 +106,15 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   count_occupancy(tracer, statistics);
 
   start = Clock::now();
-  const Tables tables = make_tables(scene, plan, picture.ledger);
+  texmap::TileCache tiles;
+  const Samplers samplers = make_samplers(scene, plan, options.filter, tiles, picture.ledger);
   statistics.table_seconds = seconds_since(start);
 
   start = Clock::now();
   picture.image = texmap::make_float_image(scene.width, scene.height);
   const TreeBuilder builder(scene, plan, tracer);
-  const Shader shader(scene, plan, tracer, tables, options.footprint);
-  const BandPainter painter(scene, plan, builder, shader, options.supersampling);
+  const Shader shader(scene, plan, tracer, samplers, options.filter, options.footprint);
+  const BandPainter painter(scene, plan, builder, shader, tiles, options.supersampling);
   const int bands = (scene.height + kBandRows - 1) / kBandRows;
   std::vector<BandCounts> counts(static_cast<std::size_t>(bands));
   std::mutex progress;
@@ -148,6 +151,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   statistics.textured_nodes = total.shading.textured;
   statistics.shade_thread_seconds = total.shade_seconds;
   fill_ledger(picture.ledger, total, tracer);
+  picture.ledger[scene::Part::kPyramids] = {tiles.counts().peak_bytes, tiles.counts().made};
   return picture;
 }
 

@@ -12,10 +12,14 @@
 #include "sweepkit/render/render.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
-#include "sweepkit/texmap/summed_area_table.hpp"
+#include "sweepkit/texmap/footprint.hpp"
+#include "sweepkit/texmap/texture_sampler.hpp"
 #include "tracer.hpp"
 
 namespace sweepkit::render {
+
+/// By Scene::textures; none where no filter looks it up.
+using Samplers = std::vector<std::optional<texmap::TextureSampler>>;
 
 /// The rows that the filter sees: above, the row itself, below. Where nothing is filtered all three are the
 /// row itself.
@@ -31,33 +35,38 @@ struct ShadingCounts {
 /// Shades a pixel's tree from its deepest node up (the paper's 3.2.2).
 class Shader {
  public:
-  Shader(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer,
-         const std::vector<std::optional<texmap::SummedAreaTable>>& tables, Footprint footprint)
+  Shader(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer, const Samplers& samplers,
+         texmap::Filter filter, Footprint footprint)
       : scene_(scene),
         tracer_(tracer),
-        tables_(tables),
+        samplers_(samplers),
+        filter_(filter),
         footprint_(footprint),
-        filters_(plan.needs_part(scene::Part::kFilteredNodes)) {}
+        looks_round_(plan.needs_part(scene::Part::kFilteredNodes)) {}
 
-  glm::dvec3 pixel(const RowWindow& rows, int x, ShadingCounts& counts) const;
+  glm::dvec3 pixel(const RowWindow& rows, int x, texmap::FilterThread& filter, ShadingCounts& counts) const;
 
  private:
   // The nodes of the same path in the 3 x 3 pixels about one, [1][1] the pixel's own; below 0 where there is
   // none.
   using Neighbourhood = std::array<std::array<std::int32_t, 3>, 3>;
 
-  glm::dvec3 node(const RowWindow& rows, const Neighbourhood& nodes, ShadingCounts& counts) const;
+  glm::dvec3 node(const RowWindow& rows, const Neighbourhood& nodes, texmap::FilterThread& filter,
+                  ShadingCounts& counts) const;
   glm::dvec3 diffuse(const RowWindow& rows, const Neighbourhood& nodes, const scene::Material& material,
-                     ShadingCounts& counts) const;
-  std::optional<texmap::UvBox> footprint(const RowWindow& rows, const Neighbourhood& nodes) const;
+                     texmap::FilterThread& filter, ShadingCounts& counts) const;
+  std::optional<glm::vec3> filtered(const RowWindow& rows, const Neighbourhood& nodes,
+                                    const texmap::TextureSampler& sampler,
+                                    texmap::FilterThread& filter) const;
   glm::dvec3 local_light(const TreeNode& at, const scene::Material& material, const glm::dvec3& diffuse,
                          ShadingCounts& counts) const;
 
   const scene::Scene& scene_;
   const Tracer& tracer_;
-  const std::vector<std::optional<texmap::SummedAreaTable>>& tables_;
+  const Samplers& samplers_;
+  texmap::Filter filter_;
   Footprint footprint_;
-  bool filters_;
+  bool looks_round_;  // is a footprint asked for?
 };
 
 }  // namespace sweepkit::render

@@ -46,16 +46,18 @@ Usage usage_of(const Document& document) {
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",    "textures",       "baked textures",   "summed-area tables",
-      "(u,v) at hits", "filtered nodes", "row buffers",      "intersection trees",
-      "shadow rays",   "supersampling",  "grid over objects"};
+      "half-edges",         "textures",      "baked textures", "integral tables",
+      "texture pyramids",   "(u,v) at hits", "filtered nodes", "row buffers",
+      "intersection trees", "shadow rays",   "supersampling",  "grid over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
 Plan plan(const Document& document, const Request& request) {
   const Usage usage = usage_of(document);
   const bool is_picture = request.product == Request::Product::kPicture;
-  const bool is_filtered = is_picture && request.is_filtered && usage.has_image;
+  const bool is_filtered = is_picture && request.filter != texmap::Filter::kPoint && usage.has_image;
+  const bool has_footprints = is_filtered && texmap::reads_footprint(request.filter);
+  const bool has_tables = is_filtered && texmap::reads_table(request.filter);
   const bool has_light = !document.lights.empty() || !document.has_ambient;
 
   Plan plan;
@@ -78,15 +80,24 @@ Plan plan(const Document& document, const Request& request) {
     row(Part::kBakes, is_bake,
         is_bake ? "it is what was asked for" : "a picture evaluates procedural textures where it hits them");
   }
-  const char* no_filter = !request.is_filtered ? "the filter is point" : "no image texture is used";
-  picture_row(Part::kTables, is_filtered, is_filtered ? "the filter looks textures up in them" : no_filter);
+  const bool is_point = request.filter == texmap::Filter::kPoint;
+  const char* no_filter = is_point ? "the filter is point" : "no image texture is used";
+  const char* no_footprint = is_filtered ? "the filter is bilinear" : no_filter;
+  picture_row(Part::kTables, has_tables,
+              has_tables    ? "the filter looks textures up in them"
+              : is_filtered ? "the filter reads pyramids"
+                            : no_filter);
+  picture_row(Part::kPyramids, is_filtered && !has_tables,
+              has_tables    ? "the filter reads tables"
+              : is_filtered ? "the filter looks textures up in them"
+                            : no_filter);
   picture_row(Part::kTexcoords, usage.reads_uv,
               usage.reads_uv ? "textures are looked up by (u,v)" : "no texture reads (u,v)");
-  picture_row(Part::kFilteredNodes, is_filtered,
-              is_filtered ? "textured hits are filtered over their neighbours" : no_filter);
-  picture_row(Part::kRows, is_filtered,
-              is_filtered ? "the filter looks at the rows above and below"
-                          : "one row is enough where nothing is filtered");
+  picture_row(Part::kFilteredNodes, has_footprints,
+              has_footprints ? "textured hits are filtered over their neighbours" : no_footprint);
+  picture_row(Part::kRows, has_footprints,
+              has_footprints ? "the filter looks at the rows above and below"
+                             : "one row is enough where no neighbour is looked at");
   const bool has_trees = usage.reflects && document.depth > 0;
   picture_row(Part::kTrees, has_trees,
               has_trees        ? "materials in use reflect"
@@ -100,9 +111,9 @@ Plan plan(const Document& document, const Request& request) {
               has_several ? "there are several objects" : "there is one object");
 
   plan.textures = usage.textures;
-  plan.tables.assign(document.textures.size(), false);
+  plan.filtered.assign(document.textures.size(), false);
   for (std::size_t i = 0; i < document.textures.size(); ++i) {
-    plan.tables[i] =
+    plan.filtered[i] =
         is_filtered && usage.textures[i] && std::holds_alternative<ImageEntry>(document.textures[i].source);
   }
   return plan;

@@ -14,7 +14,7 @@ namespace sweepkit::render::test {
 
 inline scene::Plan plan_for(const scene::Document& document, const Options& options) {
   return scene::plan(document, {.product = scene::Request::Product::kPicture,
-                                .is_filtered = options.filter != Filter::kPoint,
+                                .filter = options.filter,
                                 .is_supersampled = options.supersampling > 1});
 }
 

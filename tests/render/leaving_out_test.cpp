@@ -21,7 +21,7 @@ TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrGlobalGrid) {
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   const Picture picture = stage.draw();
   for (const Part part :
-       {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTexcoords,
+       {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kPyramids, Part::kTexcoords,
         Part::kFilteredNodes, Part::kRows, Part::kTrees, Part::kSupersampling, Part::kGlobalGrid}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
@@ -42,8 +42,9 @@ TEST(LeavingOut, EveryPartThatIsNeededShowsUp) {
     "textures": {"t": {"procedural": "checker"}}, "materials": {"m": {"texture": "t", "reflect": 0.5}},
     "objects": [{"name": "a", "material": "m", "plane": {"size": [4, 4]}}, {"name": "b", "translate": [0, 1, 0], "plane": {"size": [1, 1]}}]})");
   stage.set_texture(0, texmap::Image{4, 4, 1, std::vector<std::uint16_t>(16, 30000)});
+  EXPECT_GT(stage.draw({.filter = Filter::kIntegral1}).ledger[Part::kTables].calls, 0u);
   const Picture picture = stage.draw({.supersampling = 3});
-  for (const Part part : {Part::kTables, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
+  for (const Part part : {Part::kPyramids, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
                           Part::kShadows, Part::kSupersampling, Part::kGlobalGrid}) {
     EXPECT_GT(picture.ledger[part].calls, 0u) << scene::part_name(part);
   }

@@ -13,7 +13,7 @@ namespace sweepkit::scene {
 namespace {
 
 using Product = Request::Product;
-constexpr Request kPicture{.product = Product::kPicture, .is_filtered = true};
+constexpr Request kPicture{.product = Product::kPicture, .filter = texmap::Filter::kIntegral1};
 constexpr Request kFile{.product = Product::kMeshFile};
 
 std::set<Part> needed(const Document& document, const Request& request) {
@@ -43,6 +43,19 @@ TEST(Plan, APlainSceneNeedsNothing) {
 TEST(Plan, AnImageThatIsFilteredNeedsTablesRowsAndTexcoords) {
   EXPECT_EQ(needed(scene_of(R"("texture": "image")"), kPicture),
             (std::set{Part::kTextures, Part::kTables, Part::kTexcoords, Part::kFilteredNodes, Part::kRows}));
+}
+
+TEST(Plan, EveryFilterNeedsWhatItReadsAlone) {
+  const Document document = scene_of(R"("texture": "image")");
+  const auto with = [&](texmap::Filter filter) {
+    return needed(document, {.product = Product::kPicture, .filter = filter});
+  };
+  EXPECT_EQ(with(texmap::Filter::kBilinear), (std::set{Part::kTextures, Part::kPyramids, Part::kTexcoords}));
+  for (const texmap::Filter filter :
+       {texmap::Filter::kTrilinear, texmap::Filter::kEwa, texmap::Filter::kAuto}) {
+    EXPECT_EQ(with(filter), (std::set{Part::kTextures, Part::kPyramids, Part::kTexcoords,
+                                      Part::kFilteredNodes, Part::kRows}));
+  }
 }
 
 TEST(Plan, AnImageThatIsNotFilteredNeedsTexcoordsOnly) {
@@ -102,8 +115,8 @@ TEST(Plan, MaterialsThatNoObjectHasCountForNothing) {
 TEST(Plan, TablesAreForTheImagesInUse) {
   const Plan plan = scene::plan(scene_of(R"("texture": "image")"), kPicture);
   EXPECT_EQ(plan.textures, (std::vector{true, false, false}));
-  EXPECT_EQ(plan.tables, (std::vector{true, false, false}));
-  EXPECT_EQ(scene::plan(scene_of(R"("texture": "tiles")"), kPicture).tables,
+  EXPECT_EQ(plan.filtered, (std::vector{true, false, false}));
+  EXPECT_EQ(scene::plan(scene_of(R"("texture": "tiles")"), kPicture).filtered,
             (std::vector{false, false, false}));
 }
 

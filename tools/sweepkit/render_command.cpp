@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <span>
@@ -26,7 +27,7 @@ struct Render {
   Output output;
   render::Options options;
   std::string size;
-  std::string filter = "integral-1";
+  std::string filter{texmap::filter_name(render::Options{}.filter)};
   std::string footprint = "auto";
   std::string antialias = "off";
   std::string statistics;  // a file
@@ -89,16 +90,16 @@ void draw(Render& command) {
   const auto start = std::chrono::steady_clock::now();
   const Output& output = command.output;
   check_names(command);
-  command.options.filter = command.filter == "point" ? render::Filter::kPoint : render::Filter::kIntegral1;
+  command.options.filter = static_cast<texmap::Filter>(
+      std::ranges::find(texmap::kFilterNames, command.filter) - texmap::kFilterNames.begin());
   command.options.footprint =
       command.footprint == "neighbours" ? render::Footprint::kNeighbours : render::Footprint::kAuto;
   command.options.supersampling = command.antialias == "3x3" ? 3 : 1;
 
   const scene::Document document = read_document(command);
-  const scene::Plan plan =
-      scene::plan(document, {.product = scene::Request::Product::kPicture,
-                             .is_filtered = command.options.filter != render::Filter::kPoint,
-                             .is_supersampled = command.options.supersampling > 1});
+  const scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kPicture,
+                                                  .filter = command.options.filter,
+                                                  .is_supersampled = command.options.supersampling > 1});
   if (output.file.empty()) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
@@ -138,12 +139,16 @@ void add_render(CLI::App& app) {
   add_picture_output(sub, command->output, "The picture");
   sub.add_option("--size", command->size, "Pixels, instead of the scene's")->type_name("WxH");
   sub.add_option("--filter", command->filter,
-                 "Textures: the texel at the hit, or the mean over its neighbours' box (integral-1)")
+                 "How image textures are looked up; auto is bilinear where a texture is magnified and ewa, "
+                 "the elliptical "
+                 "average, elsewhere; integral-1 is the paper's, the mean over a box")
       ->capture_default_str()
-      ->check(CLI::IsMember({"point", "integral-1"}));
-  sub.add_option(
-         "--footprint", command->footprint,
-         "What the filter covers: the neighbours' box, two pixels wide (the paper's), or auto, one pixel")
+      ->check(
+          CLI::IsMember(std::vector<std::string>(texmap::kFilterNames.begin(), texmap::kFilterNames.end())));
+  sub.add_option("--footprint", command->footprint,
+                 "What the filter covers: auto, a pixel, by the next neighbours; neighbours, as the paper "
+                 "has it, only "
+                 "where all eight hit the same surface, and integral-1 takes their box, two pixels wide")
       ->capture_default_str()
       ->check(CLI::IsMember({"neighbours", "auto"}));
   sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")

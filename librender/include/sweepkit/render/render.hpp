@@ -11,24 +11,23 @@
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
 #include "sweepkit/texmap/image.hpp"
+#include "sweepkit/texmap/texture_sampler.hpp"
 
 namespace sweepkit::render {
 
-enum class Filter {
-  kPoint,      ///< the texel at the hit
-  kIntegral1,  ///< the mean over the box of the neighbours' hits, from a summed-area table (the paper's)
-};
+using texmap::Filter;
 
 enum class Footprint {
-  kNeighbours,  ///< the neighbours' box as it is, two pixels wide (the paper's)
-  kAuto,        ///< the one with the least error known: the neighbours' box halved, one pixel wide
+  kNeighbours,  ///< as the paper has it: only where all eight neighbours lie on the same piece of texture;
+                ///< tables of integrals take the box about them as it is, two pixels wide
+  kAuto,  ///< steps of one pixel by differences to the four next neighbours, or those that are there
 };
 
 /// One eye ray a pixel; or a picture n times as large each way, shrunk. 3 takes the paper's weights (1/4 in
 /// the middle, 1/8 at the sides, 1/16 at the corners), any other n equal ones: 16 makes a reference under a
 /// box of one pixel.
 struct Options {
-  Filter filter = Filter::kIntegral1;
+  Filter filter = Filter::kAuto;
   Footprint footprint = Footprint::kAuto;
   int supersampling = 1;  ///< 1 to 64
   int threads = 0;        ///< 0: as many as the machine has
@@ -50,7 +49,7 @@ struct Statistics {
   std::uint64_t filtered_nodes = 0;  ///< of them, filtered over their neighbours
   std::uint64_t textured_nodes = 0;
   double grid_seconds = 0;          ///< building the grids
-  double table_seconds = 0;         ///< building the summed-area tables
+  double table_seconds = 0;         ///< building tables of integrals
   double picture_seconds = 0;       ///< tracing and shading, wall clock
   double shade_thread_seconds = 0;  ///< of them shading, summed over threads
   std::uint64_t grid_bytes = 0;

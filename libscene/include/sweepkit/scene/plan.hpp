@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sweepkit/scene/document.hpp"
+#include "sweepkit/texmap/filter.hpp"
 
 namespace sweepkit::scene {
 
@@ -18,7 +19,8 @@ enum class Part {
   kHalfEdges,      ///< OpenMesh's connectivity
   kTextures,       ///< texture images read, procedural textures set up
   kBakes,          ///< procedural textures turned into images for a file
-  kTables,         ///< summed-area tables over textures that the filter reads
+  kTables,         ///< tables of integrals over textures that the filter reads
+  kPyramids,       ///< tiles of smaller and smaller copies of those textures
   kTexcoords,      ///< (u,v) interpolated at hits
   kFilteredNodes,  ///< neighbours' boxes made and looked up
   kRows,           ///< the two neighbouring row buffers
@@ -27,9 +29,9 @@ enum class Part {
   kSupersampling,  ///< the larger picture that is shrunk
   kGlobalGrid,     ///< the grid over the objects' boxes
 };
-inline constexpr std::size_t kPartCount = 11;
+inline constexpr std::size_t kPartCount = 12;
 
-std::string_view part_name(Part part);  ///< "half-edges", "summed-area tables", ...
+std::string_view part_name(Part part);  ///< "half-edges", "integral tables", ...
 
 struct Need {
   bool is_needed = false;
@@ -40,7 +42,7 @@ struct Need {
 struct Plan {
   std::array<Need, kPartCount> needs;
   std::vector<bool> textures;  ///< by Document::textures: is it read at all?
-  std::vector<bool> tables;    ///< by Document::textures: does the filter look it up?
+  std::vector<bool> filtered;  ///< by Document::textures: does a filter look it up?
 
   bool needs_part(Part part) const { return needs[static_cast<std::size_t>(part)].is_needed; }
 };
@@ -50,7 +52,7 @@ struct Request {
   enum class Product { kPicture, kMeshFile, kTexture };
   Product product = Product::kPicture;
   bool has_half_edges = false;  ///< someone walks the half-edges
-  bool is_filtered = false;     ///< a filter other than point
+  texmap::Filter filter = texmap::Filter::kPoint;
   bool is_supersampled = false;
 };
 

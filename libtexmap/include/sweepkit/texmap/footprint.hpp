@@ -2,12 +2,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 
 #include "sweepkit/texmap/summed_area_table.hpp"
 
 namespace sweepkit::texmap {
+
+/// Where a pixel falls on a texture: the place of its middle, and how far one pixel to the right and one down
+/// go from there. In (u,v).
+struct Footprint {
+  glm::dvec2 uv{0.0};
+  glm::dvec2 dx{0.0};
+  glm::dvec2 dy{0.0};
+};
 
 /// The paper's Fig. 4: the bounding box of a hit's (u,v) and its neighbours'. A neighbour across the seam of
 /// an area that comes round (`period` > 0 in u or v) is taken at its nearest representative, so that the box
@@ -16,5 +26,13 @@ UvBox neighbour_box(glm::dvec2 hit, std::span<const glm::dvec2> neighbours, glm:
 
 /// The same box shrunk about the hit: the neighbours' hits span two pixels, so a `share` of 0.5 spans one.
 UvBox shrunk(const UvBox& box, glm::dvec2 hit, double share);
+
+/// The hits in the pixels beside one's own; none where another surface lies there.
+struct Beside {
+  std::optional<glm::dvec2> left, right, above, below;
+};
+/// The footprint by differences: central ones, or to the one side that is there. A neighbour across a seam is
+/// taken at its nearest representative, as above. None where a direction has no neighbour at all.
+std::optional<Footprint> footprint_from(glm::dvec2 hit, const Beside& beside, glm::dvec2 period);
 
 }  // namespace sweepkit::texmap

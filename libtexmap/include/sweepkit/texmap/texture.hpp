@@ -11,7 +11,7 @@
 
 namespace sweepkit::texmap {
 
-enum class Wrap { kRepeat, kClamp };
+enum class Wrap { kRepeat, kClamp, kMirror };
 
 /// An image laid over (u,v): u to the right, v upwards, the top row at v = 1.
 struct ImageTexture {

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace sweepkit::texmap {
+
+/// How a texture is looked up under a pixel's footprint. All are meant for a pixel filter that is a tent of
+/// one pixel each way.
+enum class Filter {
+  kPoint,      ///< the texel at the middle
+  kBilinear,   ///< interpolated between the texels there
+  kTrilinear,  ///< a MIP pyramid, isotropic [Williams83]
+  kIntegral1,  ///< the box about the footprint from a summed-area table [Crow84]
+  kEwa,        ///< the elliptical weighted average [Heckbert89]
+  kAuto,       ///< bilinear where the texture is magnified, elliptical elsewhere
+};
+
+/// Does the filter look at more than the middle of a footprint?
+constexpr bool reads_footprint(Filter filter) {
+  return filter != Filter::kPoint && filter != Filter::kBilinear;
+}
+/// Does it read a table of integrals (else tiles of a pyramid, or for kPoint the image itself)?
+constexpr bool reads_table(Filter filter) {
+  return filter == Filter::kIntegral1;
+}
+
+/// Their names, in order: "point", "bilinear", ...
+inline constexpr std::array<std::string_view, 6> kFilterNames = {"point",      "bilinear", "trilinear",
+                                                                 "integral-1", "ewa",      "auto"};
+inline constexpr std::string_view filter_name(Filter filter) {
+  return kFilterNames[static_cast<std::size_t>(filter)];
+}
+
+}  // namespace sweepkit::texmap

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "axis_runs.hpp"
+#include "sweepkit/texmap/tile_cache.hpp"
+
+namespace sweepkit::texmap {
+
+/// The part of a row of texels that a footprint covers.
+struct Span {
+  int first;
+  int last;
+  double top;     ///< what is left of 1 in this row where the weight is greatest
+  double middle;  ///< where that is, in texels
+};
+
+/// What one thread needs while it filters.
+struct FilterScratch {
+  TileReader tiles;
+  std::vector<AxisRun> columns;
+  std::vector<AxisRun> rows;
+  std::vector<Span> spans;
+
+  explicit FilterScratch(TileCache& cache) : tiles(cache) {}
+};
+
+}  // namespace sweepkit::texmap

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// Based on [Williams83]. Departs from it where a size is odd: a texel of the next level is the mean of
+// exactly the area it stands for, of two whole texels and parts of a third, instead of leaving the last one
+// out; so a level's mean is the texture's mean, and nothing shifts.
+
+#include "pyramid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+namespace sweepkit::texmap {
+namespace {
+
+// The texels of a finer axis that one of the next level stands for, and their shares. At most three and a
+// bit: 2 <= from / to <= 3.
+struct Share {
+  int first = 0;
+  int count = 0;
+  double weights[4] = {};
+};
+
+Share share_of(int index, int from, int to) {
+  const double width = static_cast<double>(from) / to;
+  // As whole numbers over `to`, so that no rounding moves an edge that lies between two texels.
+  const std::int64_t begin = std::int64_t{index} * from;
+  const std::int64_t end = begin + from;
+  Share share;
+  share.first = static_cast<int>(begin / to);
+  for (std::int64_t texel = share.first; texel * to < end; ++texel) {
+    const std::int64_t covered = std::min(end, (texel + 1) * to) - std::max(begin, texel * to);
+    share.weights[share.count++] = static_cast<double>(covered) / to / width;
+  }
+  return share;
+}
+
+IntegerTexel to_texel(const double (&sum)[3], IntegerTexel /*form*/) {
+  const auto rounded = [](double value) { return static_cast<std::uint16_t>(value + 0.5); };
+  return IntegerTexel{rounded(sum[0]), rounded(sum[1]), rounded(sum[2]), 65535};
+}
+FloatTexel to_texel(const double (&sum)[3], FloatTexel /*form*/) {
+  return FloatTexel{static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]), 1.0f};
+}
+
+}  // namespace
+
+Pyramid::Pyramid(std::unique_ptr<TexelSource> source, TileCache& cache, std::uint32_t id)
+    : source_(std::move(source)), cache_(cache), id_(id) {
+  levels_.push_back({source_->width(), source_->height()});
+  while (levels_.back().width > 1 || levels_.back().height > 1) {
+    const Level& finer = levels_.back();
+    levels_.push_back({std::max(1, finer.width / 2), std::max(1, finer.height / 2)});
+  }
+}
+
+std::unique_ptr<Tile> Pyramid::make(const TileKey& key) const {
+  return is_float() ? make_of<FloatTexel>(key) : make_of<IntegerTexel>(key);
+}
+
+template <class Texel>
+std::unique_ptr<Tile> Pyramid::make_of(const TileKey& key) const {
+  const Level& size = levels_[key.level];
+  const int x0 = static_cast<int>(key.column) * kTileSide;
+  const int y0 = static_cast<int>(key.row) * kTileSide;
+  const int width = std::min(kTileSide, size.width - x0);
+  const int height = std::min(kTileSide, size.height - y0);
+  auto tile = std::make_unique<Tile>(sizeof(Texel) * kTileSide * static_cast<std::size_t>(height));
+  auto* texels = reinterpret_cast<Texel*>(tile->data());
+  if (key.level == 0) {
+    const std::vector<Texel> region = read_level<Texel>(0, {x0, y0, width, height});
+    for (int y = 0; y < height; ++y) std::copy_n(region.begin() + y * width, width, texels + y * kTileSide);
+    return tile;
+  }
+  const Level& finer = levels_[key.level - 1];
+  std::vector<Share> across;
+  std::vector<Share> down;
+  for (int x = 0; x < width; ++x) across.push_back(share_of(x0 + x, finer.width, size.width));
+  for (int y = 0; y < height; ++y) down.push_back(share_of(y0 + y, finer.height, size.height));
+  const PixelRect rect{across.front().first, down.front().first,
+                       across.back().first + across.back().count - across.front().first,
+                       down.back().first + down.back().count - down.front().first};
+  const std::vector<Texel> region = read_level<Texel>(key.level - 1, rect);
+  for (int y = 0; y < height; ++y) {
+    const Share& rows = down[static_cast<std::size_t>(y)];
+    for (int x = 0; x < width; ++x) {
+      const Share& columns = across[static_cast<std::size_t>(x)];
+      double sum[3] = {};
+      for (int j = 0; j < rows.count; ++j) {
+        const Texel* row = region.data() + (rows.first + j - rect.y) * rect.width + (columns.first - rect.x);
+        for (int i = 0; i < columns.count; ++i) {
+          const double weight = rows.weights[j] * columns.weights[i];
+          for (int k = 0; k < 3; ++k) sum[k] += weight * static_cast<double>(row[i][k]);
+        }
+      }
+      texels[y * kTileSide + x] = to_texel(sum, Texel{});
+    }
+  }
+  return tile;
+}
+
+// The finest level straight from the source: a tile of it is made once, by whoever reads it itself.
+template <class Texel>
+std::vector<Texel> Pyramid::read_level(std::uint32_t level, const PixelRect& rect) const {
+  std::vector<Texel> region(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height));
+  if (level == 0) {
+    source_->read(rect, region);
+    return region;
+  }
+  const int x_end = rect.x + rect.width;
+  const int y_end = rect.y + rect.height;
+  for (int row = rect.y / kTileSide; row * kTileSide < y_end; ++row) {
+    for (int column = rect.x / kTileSide; column * kTileSide < x_end; ++column) {
+      const Tile* tile = cache_.pin(
+          {id_, level, static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)}, *this);
+      const auto* texels = reinterpret_cast<const Texel*>(tile->data());
+      const int x0 = std::max(rect.x, column * kTileSide);
+      const int x1 = std::min(x_end, (column + 1) * kTileSide);
+      for (int y = std::max(rect.y, row * kTileSide); y < std::min(y_end, (row + 1) * kTileSide); ++y) {
+        std::copy(texels + (y - row * kTileSide) * kTileSide + (x0 - column * kTileSide),
+                  texels + (y - row * kTileSide) * kTileSide + (x1 - column * kTileSide),
+                  region.begin() + (y - rect.y) * rect.width + (x0 - rect.x));
+      }
+      TileCache::unpin(tile);
+    }
+  }
+  return region;
+}
+
+}  // namespace sweepkit::texmap

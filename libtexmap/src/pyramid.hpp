@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sweepkit/texmap/tile_cache.hpp"
+#include "texel_source.hpp"
+
+namespace sweepkit::texmap {
+
+/// Texels along a tile's side. A tile of integer texels is 32 KiB; those at the right and lower border of a
+/// level have whole rows and as few of them as there are.
+inline constexpr int kTileSide = 64;
+
+/// A texture at every size from its own down to one texel, each half the one before (rounded down, each texel
+/// the mean of the area it stands for) [Williams83], in tiles that are made when they are first read.
+class Pyramid : public TileMaker {
+ public:
+  struct Level {
+    int width;
+    int height;
+  };
+
+  /// `id` sets the texture apart from others in the same cache.
+  Pyramid(std::unique_ptr<TexelSource> source, TileCache& cache, std::uint32_t id);
+
+  bool is_float() const { return source_->is_float(); }
+  int level_count() const { return static_cast<int>(levels_.size()); }
+  const Level& level(int index) const { return levels_[static_cast<std::size_t>(index)]; }
+
+  /// The first texel of a tile whose rows are kTileSide apart; good until the reader's next read. `Texel` is
+  /// the form that is_float() names.
+  template <class Texel>
+  const Texel* tile(TileReader& reader, int level, int column, int row) const {
+    return reinterpret_cast<const Texel*>(
+        reader.read({id_, static_cast<std::uint32_t>(level), static_cast<std::uint32_t>(column),
+                     static_cast<std::uint32_t>(row)},
+                    *this));
+  }
+
+  std::unique_ptr<Tile> make(const TileKey& key) const override;
+
+ private:
+  template <class Texel>
+  std::unique_ptr<Tile> make_of(const TileKey& key) const;
+  template <class Texel>
+  std::vector<Texel> read_level(std::uint32_t level, const PixelRect& rect) const;
+
+  std::unique_ptr<TexelSource> source_;
+  TileCache& cache_;
+  std::uint32_t id_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace sweepkit::texmap

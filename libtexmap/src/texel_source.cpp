@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "texel_source.hpp"
+
+#include <vector>
+
+namespace sweepkit::texmap {
+namespace {
+
+class WholeImage : public TexelSource {
+ public:
+  explicit WholeImage(std::shared_ptr<const Image> image) : image_(std::move(image)) {}
+
+  int width() const override { return image_->width; }
+  int height() const override { return image_->height; }
+  bool is_float() const override { return image_->is_float(); }
+  void read(const PixelRect& rect, std::span<IntegerTexel> texels) const override {
+    copy<std::uint16_t>(rect, texels, 65535);
+  }
+  void read(const PixelRect& rect, std::span<FloatTexel> texels) const override {
+    copy<float>(rect, texels, 1.0f);
+  }
+
+ private:
+  // Grey is spread over RGB, alpha left out.
+  template <class Sample, class Texel>
+  void copy(const PixelRect& rect, std::span<Texel> texels, Sample one) const {
+    const auto& samples = std::get<std::vector<Sample>>(image_->texels);
+    const auto channels = static_cast<std::size_t>(image_->channels);
+    const std::size_t green = channels >= 3 ? 1 : 0;
+    const std::size_t blue = channels >= 3 ? 2 : 0;
+    auto to = texels.begin();
+    for (int y = rect.y; y < rect.y + rect.height; ++y) {
+      const Sample* from =
+          samples.data() + channels * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) +
+                                       static_cast<std::size_t>(rect.x));
+      for (int x = 0; x < rect.width; ++x, from += channels)
+        *to++ = Texel{from[0], from[green], from[blue], one};
+    }
+  }
+
+  std::shared_ptr<const Image> image_;
+};
+
+}  // namespace
+
+std::unique_ptr<TexelSource> make_texel_source(std::shared_ptr<const Image> image) {
+  return std::make_unique<WholeImage>(std::move(image));
+}
+
+}  // namespace sweepkit::texmap

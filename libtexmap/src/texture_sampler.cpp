@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "sweepkit/texmap/texture_sampler.hpp"
+
+#include <optional>
+
+#include "elliptical_average.hpp"
+#include "filter_scratch.hpp"
+#include "mip_filter.hpp"
+#include "pyramid.hpp"
+#include "sweepkit/texmap/summed_area_table.hpp"
+
+namespace sweepkit::texmap {
+namespace {
+
+// The box about the parallelogram that a pixel falls on.
+UvBox box_about(const Footprint& footprint) {
+  const glm::dvec2 half = 0.5 * (glm::abs(footprint.dx) + glm::abs(footprint.dy));
+  return {footprint.uv - half, footprint.uv + half};
+}
+
+}  // namespace
+
+FilterThread::FilterThread(TileCache& cache) : scratch_(std::make_unique<FilterScratch>(cache)) {}
+FilterThread::~FilterThread() = default;
+FilterThread::FilterThread(FilterThread&&) noexcept = default;
+
+struct TextureSampler::Prepared {
+  ImageTexture texture;
+  Filter filter;
+  std::optional<Pyramid> pyramid;
+  std::optional<SummedAreaTable> table;
+};
+
+TextureSampler::TextureSampler(const ImageTexture& texture, Filter filter, TileCache& cache,
+                               std::uint32_t id) {
+  auto prepared = std::make_unique<Prepared>();
+  prepared->texture = texture;
+  prepared->filter = filter;
+  if (reads_table(filter)) {
+    prepared->table.emplace(*texture.image, texture.wrap);
+  } else if (filter != Filter::kPoint) {
+    prepared->pyramid.emplace(make_texel_source(texture.image), cache, id);
+  }
+  prepared_ = std::move(prepared);
+}
+TextureSampler::~TextureSampler() = default;
+TextureSampler::TextureSampler(TextureSampler&&) noexcept = default;
+
+glm::vec3 TextureSampler::sample(const Footprint& footprint, FilterThread& thread) const {
+  const Wrap wrap = prepared_->texture.wrap;
+  switch (prepared_->filter) {
+    case Filter::kPoint:
+      return point_sample(prepared_->texture, footprint.uv, glm::dvec3(0.0));
+    case Filter::kBilinear:
+      return bilinear(*prepared_->pyramid, wrap, footprint.uv, thread.scratch_->tiles);
+    case Filter::kTrilinear:
+      return trilinear(*prepared_->pyramid, wrap, footprint, thread.scratch_->tiles);
+    case Filter::kIntegral1:
+      return prepared_->table->mean(box_about(footprint));
+    case Filter::kEwa:
+      return elliptical_average(*prepared_->pyramid, wrap, footprint, *thread.scratch_);
+    case Filter::kAuto:
+      break;
+  }
+  const glm::dvec2 size(prepared_->pyramid->level(0).width, prepared_->pyramid->level(0).height);
+  const glm::dvec2 steps = (glm::abs(footprint.dx) + glm::abs(footprint.dy)) * size;
+  if (steps.x < 1 && steps.y < 1)
+    return bilinear(*prepared_->pyramid, wrap, footprint.uv, thread.scratch_->tiles);
+  return elliptical_average(*prepared_->pyramid, wrap, footprint, *thread.scratch_);
+}
+
+glm::vec3 TextureSampler::mean(const UvBox& box) const {
+  return prepared_->table->mean(box);
+}
+
+std::size_t TextureSampler::table_bytes() const {
+  return prepared_->table ? prepared_->table->bytes() : 0;
+}
+
+}  // namespace sweepkit::texmap

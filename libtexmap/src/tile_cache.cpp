@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// A clock [Corbato68]: the hand goes round the tiles, takes a life from each that nobody has read since, and
+// drops those that have none left. Departs from the textbook in giving a tile as many lives as its level is
+// high: a coarse tile is made from four finer ones, and those from four each.
+
+#include "sweepkit/texmap/tile_cache.hpp"
+
+#include <algorithm>
+#include <mutex>
+
+namespace sweepkit::texmap {
+
+const Tile* TileCache::pin(const TileKey& key, const TileMaker& maker) {
+  const std::uint64_t packed = key.packed();
+  const int lives = 1 + 2 * static_cast<int>(key.level);
+  const auto take = [&](Tile& tile) {
+    tile.pins_.fetch_add(1, std::memory_order_relaxed);
+    tile.lives_.store(lives, std::memory_order_relaxed);
+    return &tile;
+  };
+  {
+    const std::shared_lock lock(mutex_);
+    if (const auto found = tiles_.find(packed); found != tiles_.end()) return take(*found->second);
+  }
+  std::unique_ptr<Tile> made = maker.make(key);
+  made->key_ = packed;
+  const std::unique_lock lock(mutex_);
+  // Another thread may have been first; its tile holds the same bytes.
+  const auto [place, is_new] = tiles_.try_emplace(packed, std::move(made));
+  Tile* tile = take(*place->second);
+  if (is_new) {
+    clock_.push_back(tile);
+    ++counts_.made;
+    counts_.bytes += tile->bytes();
+    drop_to_bound();
+    counts_.peak_bytes = std::max(counts_.peak_bytes, counts_.bytes);
+  }
+  return tile;
+}
+
+void TileCache::drop_to_bound() {
+  // No tile outlives more rounds than its lives; after those, all that is left is pinned.
+  constexpr std::size_t kRounds = 2 + 2 * 31;
+  std::size_t steps = kRounds * clock_.size();
+  while (counts_.bytes > bound_ && steps-- > 0 && !clock_.empty()) {
+    if (hand_ >= clock_.size()) hand_ = 0;
+    Tile* tile = clock_[hand_];
+    if (tile->pins_.load(std::memory_order_acquire) > 0) {
+      ++hand_;
+    } else if (tile->lives_.fetch_sub(1, std::memory_order_relaxed) > 0) {
+      ++hand_;
+    } else {
+      counts_.bytes -= tile->bytes();
+      ++counts_.dropped;
+      clock_[hand_] = clock_.back();
+      clock_.pop_back();
+      tiles_.erase(tile->key_);
+    }
+  }
+}
+
+TileCache::Counts TileCache::counts() const {
+  const std::shared_lock lock(mutex_);
+  return counts_;
+}
+
+void TileReader::replace(Slot& slot, const TileKey& key, const TileMaker& maker) {
+  const Tile* tile = cache_->pin(key, maker);
+  if (slot.tile != nullptr) TileCache::unpin(slot.tile);
+  slot = {key.packed(), tile->data(), tile};
+}
+
+void TileReader::release() {
+  for (Slot& slot : slots_) {
+    if (slot.tile != nullptr) TileCache::unpin(slot.tile);
+    slot = {};
+  }
+}
+
+}  // namespace sweepkit::texmap
