@@ -17,6 +17,7 @@
 #include "intersection_tree.hpp"
 #include "shading.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/texmap/image_file.hpp"
 #include "sweepkit/texmap/texture_sampler.hpp"
 #include "sweepkit/texmap/tile_cache.hpp"
 #include "tracer.hpp"
@@ -38,7 +39,7 @@ Samplers make_samplers(const scene::Scene& scene, const scene::Plan& plan, texma
                        texmap::TileCache& tiles, scene::Ledger& ledger) {
   Samplers samplers(scene.textures.size());
   for (std::size_t i = 0; i < samplers.size(); ++i) {
-    if (!plan.filtered[i]) continue;
+    if (!plan.sampled[i]) continue;
     samplers[i].emplace(std::get<texmap::ImageTexture>(scene.textures[i]), filter, tiles,
                         static_cast<std::uint32_t>(i));
     if (!texmap::reads_table(filter)) continue;
@@ -46,6 +47,18 @@ Samplers make_samplers(const scene::Scene& scene, const scene::Plan& plan, texma
     ledger[scene::Part::kTables].calls += 1;
   }
   return samplers;
+}
+
+// What the images themselves leave of the textures' memory, and a quarter of it at least: without tiles to
+// read from nothing could be drawn.
+std::size_t memory_for_tiles(const scene::Scene& scene, const scene::Plan& plan) {
+  std::size_t held = 0;
+  for (const texmap::Texture& texture : scene.textures) {
+    if (const auto* image = std::get_if<texmap::ImageTexture>(&texture))
+      held += image->file ? texmap::bytes_held(*image->file) : image->image ? image->image->bytes() : 0;
+  }
+  const std::size_t all = plan.texture_memory;
+  return std::max(all / 4, all - std::min(all, held));
 }
 
 void count_occupancy(const Tracer& tracer, Statistics& statistics) {
@@ -106,7 +119,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   count_occupancy(tracer, statistics);
 
   start = Clock::now();
-  texmap::TileCache tiles;
+  texmap::TileCache tiles(memory_for_tiles(scene, plan));
   const Samplers samplers = make_samplers(scene, plan, options.filter, tiles, picture.ledger);
   statistics.table_seconds = seconds_since(start);
 
@@ -151,7 +164,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   statistics.textured_nodes = total.shading.textured;
   statistics.shade_thread_seconds = total.shade_seconds;
   fill_ledger(picture.ledger, total, tracer);
-  picture.ledger[scene::Part::kPyramids] = {tiles.counts().peak_bytes, tiles.counts().made};
+  picture.ledger[scene::Part::kTiles] = {tiles.counts().peak_bytes, tiles.counts().made};
   return picture;
 }
 

@@ -18,7 +18,7 @@
 
 namespace sweepkit::render {
 
-/// By Scene::textures; none where no filter looks it up.
+/// By Scene::textures; none where the texture is computed, or not used.
 using Samplers = std::vector<std::optional<texmap::TextureSampler>>;
 
 /// The rows that the filter sees: above, the row itself, below. Where nothing is filtered all three are the

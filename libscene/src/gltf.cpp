@@ -216,7 +216,7 @@ class Writer {
   int image_texture(std::size_t index) {
     const auto found = image_textures_.find(index);
     if (found != image_textures_.end()) return found->second;
-    const auto& [image, wrap] = std::get<texmap::ImageTexture>(scene_.textures[index]);
+    const auto& [image, wrap, file] = std::get<texmap::ImageTexture>(scene_.textures[index]);
     return image_textures_[index] = add_texture(add_image(image, scene_.texture_names[index]), wrap);
   }
 

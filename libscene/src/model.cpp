@@ -50,13 +50,19 @@ StoredImage read_image(const ImageEntry& source, ImageStore* images) {
 }
 
 // Counts what it cost in the ledger's row: nothing where another scene has paid already.
-texmap::Texture load_texture(const TextureEntry& entry, ImageStore* images, Cost& cost) {
+texmap::Texture load_texture(const TextureEntry& entry, const Plan& plan, ImageStore* images, Cost& cost) {
   if (const auto* procedural = std::get_if<texmap::Procedural>(&entry.source)) {
     cost.calls += 1;
     return *procedural;
   }
   const auto& source = std::get<ImageEntry>(entry.source);
   try {
+    if (plan.needs_part(Part::kTiles)) {
+      auto file = texmap::open_image(source.file, source.color_space, plan.texture_memory);
+      cost.calls += 1;
+      cost.bytes += texmap::bytes_held(*file);
+      return texmap::ImageTexture{nullptr, source.wrap, std::move(file)};
+    }
     StoredImage stored = read_image(source, images);
     if (stored.is_new) {
       cost.calls += 1;
@@ -139,7 +145,7 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
     scene.textures.emplace_back();
     scene.texture_names.push_back(document.textures[i].name);
     if (!plan.textures[i]) continue;
-    scene.textures.back() = load_texture(document.textures[i], images, model.ledger[Part::kTextures]);
+    scene.textures.back() = load_texture(document.textures[i], plan, images, model.ledger[Part::kTextures]);
   }
   scene.camera = document.camera;
   if (!document.has_view) frame(scene);

@@ -47,7 +47,7 @@ Usage usage_of(const Document& document) {
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
       "half-edges",         "textures",      "baked textures", "integral tables",
-      "texture pyramids",   "(u,v) at hits", "filtered nodes", "row buffers",
+      "texture tiles",      "(u,v) at hits", "filtered nodes", "row buffers",
       "intersection trees", "shadow rays",   "supersampling",  "grid over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
@@ -55,9 +55,9 @@ std::string_view part_name(Part part) {
 Plan plan(const Document& document, const Request& request) {
   const Usage usage = usage_of(document);
   const bool is_picture = request.product == Request::Product::kPicture;
-  const bool is_filtered = is_picture && request.filter != texmap::Filter::kPoint && usage.has_image;
-  const bool has_footprints = is_filtered && texmap::reads_footprint(request.filter);
-  const bool has_tables = is_filtered && texmap::reads_table(request.filter);
+  const bool has_image = is_picture && usage.has_image;
+  const bool has_tables = has_image && texmap::reads_table(request.filter);
+  const bool has_footprints = has_image && texmap::reads_footprint(request.filter);
   const bool has_light = !document.lights.empty() || !document.has_ambient;
 
   Plan plan;
@@ -80,21 +80,16 @@ Plan plan(const Document& document, const Request& request) {
     row(Part::kBakes, is_bake,
         is_bake ? "it is what was asked for" : "a picture evaluates procedural textures where it hits them");
   }
-  const bool is_point = request.filter == texmap::Filter::kPoint;
-  const char* no_filter = is_point ? "the filter is point" : "no image texture is used";
-  const char* no_footprint = is_filtered ? "the filter is bilinear" : no_filter;
-  picture_row(Part::kTables, has_tables,
-              has_tables    ? "the filter looks textures up in them"
-              : is_filtered ? "the filter reads pyramids"
-                            : no_filter);
-  picture_row(Part::kPyramids, is_filtered && !has_tables,
-              has_tables    ? "the filter reads tables"
-              : is_filtered ? "the filter looks textures up in them"
-                            : no_filter);
+  const char* no_image = "no image texture is used";
+  const std::string filter = "the filter is " + std::string(texmap::filter_name(request.filter));
+  picture_row(Part::kTables, has_tables, usage.has_image ? filter : no_image);
+  picture_row(Part::kTiles, has_image && !has_tables, usage.has_image ? filter : no_image);
   picture_row(Part::kTexcoords, usage.reads_uv,
               usage.reads_uv ? "textures are looked up by (u,v)" : "no texture reads (u,v)");
   picture_row(Part::kFilteredNodes, has_footprints,
-              has_footprints ? "textured hits are filtered over their neighbours" : no_footprint);
+              has_footprints    ? "textured hits are filtered over their neighbours"
+              : usage.has_image ? filter
+                                : no_image);
   picture_row(Part::kRows, has_footprints,
               has_footprints ? "the filter looks at the rows above and below"
                              : "one row is enough where no neighbour is looked at");
@@ -110,11 +105,12 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kGlobalGrid, has_several,
               has_several ? "there are several objects" : "there is one object");
 
+  plan.texture_memory = request.texture_memory;
   plan.textures = usage.textures;
-  plan.filtered.assign(document.textures.size(), false);
+  plan.sampled.assign(document.textures.size(), false);
   for (std::size_t i = 0; i < document.textures.size(); ++i) {
-    plan.filtered[i] =
-        is_filtered && usage.textures[i] && std::holds_alternative<ImageEntry>(document.textures[i].source);
+    plan.sampled[i] =
+        is_picture && usage.textures[i] && std::holds_alternative<ImageEntry>(document.textures[i].source);
   }
   return plan;
 }

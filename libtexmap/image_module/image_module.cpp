@@ -7,6 +7,7 @@
 #include "image_module.hpp"
 
 #include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -46,7 +47,7 @@ void keep_to_this_thread() {
   [[maybe_unused]] static const bool is_kept = OIIO::attribute("threads", 1);
 }
 
-std::unique_ptr<OIIO::ImageInput> open(const std::string& file, std::string& problem) {
+std::unique_ptr<OIIO::ImageInput> open_input(const std::string& file, std::string& problem) {
   keep_to_this_thread();
   // Colours as the file has them: OpenImageIO would multiply them by alpha, in sRGB and in 8 bits.
   OIIO::ImageSpec config;
@@ -101,62 +102,139 @@ bool is_integer(const OIIO::TypeDesc& type) {
   return type.basetype == OIIO::TypeDesc::UINT8 || type.basetype == OIIO::TypeDesc::UINT16;
 }
 
-// Reads the first `channels` of the whole image in bands of rows: a header that promises more than the file
-// holds fails at the first band, before the memory for the rest is touched.
-template <class Sample>
-bool read_samples(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels,
-                  const OIIO::TypeDesc& type, std::vector<Sample>& samples) {
+// The first `channels` of the whole image in bands of rows, each handed on as it comes: a header that
+// promises more than the file holds fails at the first band, before the memory for the rest is touched.
+template <class Sample, class Take>
+std::string read_bands(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels, Take&& take) {
+  const OIIO::TypeDesc type = sizeof(Sample) == 2 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::FLOAT;
   const bool is_tiled = spec.tile_width > 0;
   const int band = is_tiled ? spec.tile_height : 64;
-  const std::size_t row = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels);
-  samples.reserve(row * static_cast<std::size_t>(spec.height));
+  std::vector<Sample> samples;
   for (int y = 0; y < spec.height;) {
     const int end = std::min(spec.height - y, band) + y;
-    samples.resize(row * static_cast<std::size_t>(end));
-    Sample* to = samples.data() + row * static_cast<std::size_t>(y);
+    samples.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels) *
+                   static_cast<std::size_t>(end - y));
     const bool is_read =
-        is_tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z,
-                                    spec.z + 1, 0, channels, type, to)
-                 : input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, channels, type, to);
-    if (!is_read) return false;
+        is_tiled
+            ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, spec.z,
+                               spec.z + 1, 0, channels, type, samples.data())
+            : input.read_scanlines(0, 0, spec.y + y, spec.y + end, spec.z, 0, channels, type, samples.data());
+    if (!is_read) return error_of(input, "its pixels cannot be read");
+    if (std::string problem = take(y, end - y, samples); !problem.empty()) return problem;
     y = end;
   }
-  return true;
+  // A JPEG that ends early is filled up with grey and counted as read; what the decoder complained of is
+  // kept.
+  return input.geterror();
+}
+
+int channels_of(const OIIO::ImageSpec& spec) {
+  return std::min(spec.nchannels, 4);
 }
 
 std::string read(const std::string& file, ModuleImage& image) try {
   const QuietErrors quiet;
   std::string problem;
-  const auto input = open(file, problem);
+  const auto input = open_input(file, problem);
   if (!input) return problem;
   const OIIO::ImageSpec spec = input->spec();
   image.width = spec.width;
   image.height = spec.height;
-  image.channels = std::min(spec.nchannels, 4);
-  bool is_read = false;
+  image.channels = channels_of(spec);
+  const auto read_into = [&](auto& whole) {
+    using Sample = typename std::remove_reference_t<decltype(whole)>::value_type;
+    whole.reserve(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                  static_cast<std::size_t>(image.channels));
+    return read_bands<Sample>(*input, spec, image.channels, [&](int, int, const std::vector<Sample>& band) {
+      whole.insert(whole.end(), band.begin(), band.end());
+      return std::string();
+    });
+  };
   try {
-    if (is_integer(spec.format)) {
-      auto& samples = image.samples.emplace<std::vector<std::uint16_t>>();
-      is_read = read_samples(*input, spec, image.channels, OIIO::TypeDesc::UINT16, samples);
-    } else {
-      auto& samples = image.samples.emplace<std::vector<float>>();
-      is_read = read_samples(*input, spec, image.channels, OIIO::TypeDesc::FLOAT, samples);
-    }
+    return is_integer(spec.format) ? read_into(image.samples.emplace<std::vector<std::uint16_t>>())
+                                   : read_into(image.samples.emplace<std::vector<float>>());
   } catch (const std::bad_alloc&) {
     return "its " + size_text(spec) + " pixels are more than the memory holds";
   }
-  if (!is_read) return error_of(*input, "its pixels cannot be read");
-  // A JPEG that ends early is filled up with grey and counted as read; what the decoder complained of is
-  // kept.
-  return input->geterror();
 } catch (const std::exception& error) {
   return error.what();
+}
+
+std::string read_rows(const std::string& file, TakeRows take, void* context) try {
+  const QuietErrors quiet;
+  std::string problem;
+  const auto input = open_input(file, problem);
+  if (!input) return problem;
+  const OIIO::ImageSpec spec = input->spec();
+  const auto hand_on = [&](int first, int count, const auto& band) {
+    return take(context, first, count, band.data());
+  };
+  return is_integer(spec.format) ? read_bands<std::uint16_t>(*input, spec, channels_of(spec), hand_on)
+                                 : read_bands<float>(*input, spec, channels_of(spec), hand_on);
+} catch (const std::exception& error) {
+  return error.what();
+}
+
+// A file behind a cache of its own tiles.
+struct TiledFile {
+  OIIO::ustring name;
+  OIIO::ImageCache* cache = nullptr;
+  int x = 0;  // of the image's first texel
+  int y = 0;
+  int channels = 0;
+  OIIO::TypeDesc type;
+
+  TiledFile() = default;
+  TiledFile(const TiledFile&) = delete;
+  TiledFile& operator=(const TiledFile&) = delete;
+  ~TiledFile() {
+    if (cache != nullptr) OIIO::ImageCache::destroy(cache);
+  }
+};
+
+std::string open(const std::string& file, std::size_t cache_bytes, ModuleFile& opened) try {
+  const QuietErrors quiet;
+  std::string problem;
+  const auto input = open_input(file, problem);
+  if (!input) return problem;
+  const OIIO::ImageSpec spec = input->spec();
+  auto tiled = std::make_unique<TiledFile>();
+  tiled->name = file;
+  tiled->cache = OIIO::ImageCache::create(false);
+  tiled->cache->attribute("max_memory_MB", static_cast<float>(cache_bytes) / (1 << 20));
+  tiled->cache->attribute("unassociatedalpha", 1);
+  tiled->cache->attribute("accept_untiled", 1);
+  tiled->x = spec.x;
+  tiled->y = spec.y;
+  tiled->channels = channels_of(spec);
+  const bool is_float = !is_integer(spec.format);
+  tiled->type = is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT16;
+  opened = {tiled.get(), spec.width, spec.height, tiled->channels, is_float, spec.tile_width > 0};
+  static_cast<void>(tiled.release());
+  return {};
+} catch (const std::exception& error) {
+  return error.what();
+}
+
+std::string read_rect(void* handle, const ModuleRect& rect, void* samples) try {
+  const auto& file = *static_cast<const TiledFile*>(handle);
+  const int x = file.x + rect.x;
+  const int y = file.y + rect.y;
+  const bool is_read = file.cache->get_pixels(file.name, 0, 0, x, x + rect.width, y, y + rect.height, 0, 1, 0,
+                                              file.channels, file.type, samples);
+  return is_read ? std::string() : error_of(*file.cache, "its pixels cannot be read");
+} catch (const std::exception& error) {
+  return error.what();
+}
+
+void close(void* handle) {
+  delete static_cast<TiledFile*>(handle);
 }
 
 std::string read_info(const std::string& file, ModuleInfo& info) try {
   const QuietErrors quiet;
   std::string problem;
-  const auto input = open(file, problem);
+  const auto input = open_input(file, problem);
   if (!input) return problem;
   const OIIO::ImageSpec& spec = input->spec();
   info = {spec.width, spec.height, spec.nchannels, input->format_name(), spec.format.c_str()};
@@ -214,5 +292,7 @@ std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes
 
 // The name is kImageModuleSymbol.
 extern "C" __attribute__((visibility("default")))
-const sweepkit::texmap::ImageModule sweepkit_image_module_1 = {
-    sweepkit::texmap::read, sweepkit::texmap::read_info, sweepkit::texmap::encode};
+const sweepkit::texmap::ImageModule sweepkit_image_module_2 = {
+    sweepkit::texmap::read,  sweepkit::texmap::read_info, sweepkit::texmap::read_rows,
+    sweepkit::texmap::open,  sweepkit::texmap::read_rect, sweepkit::texmap::close,
+    sweepkit::texmap::encode};

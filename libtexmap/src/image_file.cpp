@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "sweepkit/texmap/image_file.hpp"
 
-#include <dlfcn.h>
-#include <link.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 
@@ -17,76 +13,12 @@
 namespace sweepkit::texmap {
 namespace {
 
-std::atomic<bool> is_loaded = false;
-
-// The folder of the program or shared library that holds this code. A program has no name in its link map,
-// and argv[0] may name anything that lies in the working folder: the system is asked instead.
-std::filesystem::path own_folder() {
-  Dl_info info{};
-  link_map* map = nullptr;
-  std::error_code ignored;
-  if (dladdr1(reinterpret_cast<const void*>(&own_folder), &info, reinterpret_cast<void**>(&map),
-              RTLD_DL_LINKMAP) != 0 &&
-      map != nullptr && map->l_name != nullptr && map->l_name[0] != '\0') {
-    return std::filesystem::canonical(map->l_name, ignored).parent_path();
-  }
-  return std::filesystem::canonical("/proc/self/exe", ignored).parent_path();
-}
-
-const ImageModule& load_module() {
-  std::string tried;
-  const std::filesystem::path folder = own_folder();
-  for (const std::filesystem::path& candidate :
-       {folder / kImageModuleFile, folder / "../lib/sweepkit" / kImageModuleFile,
-        folder / "sweepkit" / kImageModuleFile}) {
-    if (void* library = dlopen(candidate.c_str(), RTLD_NOW | RTLD_LOCAL)) {
-      if (const void* table = dlsym(library, kImageModuleSymbol)) {
-        is_loaded = true;
-        return *static_cast<const ImageModule*>(table);
-      }
-    }
-    const char* reason = dlerror();
-    tried += (tried.empty() ? "" : "; ") + std::string(reason != nullptr ? reason : candidate.c_str());
-  }
-  throw OutputError("the image module cannot be loaded (" + tried + "); install sweepkit whole");
-}
-
-// Loaded once a process, by whichever thread comes first.
-const ImageModule& module() {
-  static const ImageModule& loaded = load_module();
-  return loaded;
-}
-
-void check_exists(const std::filesystem::path& file) {
-  std::error_code ignored;
-  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
-  if (!std::filesystem::exists(status)) throw InputError({.file = file.string()}, "no such file");
-  if (std::filesystem::is_directory(status))
-    throw InputError({.file = file.string()}, "is a folder, not an image");
-}
-
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text;
-}
-
-// 16-bit sRGB samples to 16-bit linear light, rounded to nearest.
-std::vector<std::uint16_t> make_linear_from_srgb_table() {
-  std::vector<std::uint16_t> table(65536);
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    table[i] =
-        static_cast<std::uint16_t>(std::lround(65535 * linear_from_srgb(static_cast<double>(i) / 65535)));
-  }
-  return table;
-}
-
 bool is_alpha(std::size_t channel, int channels) {
   return channels % 2 == 0 && channel + 1 == static_cast<std::size_t>(channels);
 }
 
 void decode_srgb(std::vector<std::uint16_t>& samples, int channels) {
-  static const std::vector<std::uint16_t> table = make_linear_from_srgb_table();
+  const std::vector<std::uint16_t>& table = linear_from_srgb_table();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!is_alpha(i % static_cast<std::size_t>(channels), channels)) samples[i] = table[samples[i]];
   }
@@ -148,11 +80,10 @@ std::vector<float> to_half_range(const Image& image) {
 }  // namespace
 
 Image read_image(const std::filesystem::path& file, ColorSpace color_space) {
-  check_exists(file);
+  check_image_exists(file);
   ModuleImage read;
-  const std::string problem = module().read(file.string(), read);
-  if (!problem.empty())
-    throw InputError({.file = file.string()}, "cannot be read as an image: " + one_line(problem));
+  const std::string problem = image_module().read(file.string(), read);
+  throw_if_unreadable(file, problem);
   Image image{read.width, read.height, read.channels, std::move(read.samples)};
   if (auto* integers = std::get_if<std::vector<std::uint16_t>>(&image.texels)) {
     if (color_space == ColorSpace::kSrgb) decode_srgb(*integers, image.channels);
@@ -171,11 +102,10 @@ Image read_image(const std::filesystem::path& file, ColorSpace color_space) {
 }
 
 ImageFileInfo read_image_info(const std::filesystem::path& file) {
-  check_exists(file);
+  check_image_exists(file);
   ModuleInfo info;
-  const std::string problem = module().read_info(file.string(), info);
-  if (!problem.empty())
-    throw InputError({.file = file.string()}, "cannot be read as an image: " + one_line(problem));
+  const std::string problem = image_module().read_info(file.string(), info);
+  throw_if_unreadable(file, problem);
   return {info.width, info.height, info.channels, info.format, info.sample_type};
 }
 
@@ -197,16 +127,12 @@ std::vector<std::byte> encode_image(const Image& image, ImageFormat format, Colo
   const std::vector<std::uint8_t> bytes = is_exr ? std::vector<std::uint8_t>{} : to_bytes(image, is_srgb);
   const std::vector<float> floats = is_exr ? to_half_range(image) : std::vector<float>{};
   std::vector<std::byte> encoded;
-  const std::string problem = module().encode(
+  const std::string problem = image_module().encode(
       {kExtensions[static_cast<std::size_t>(format)], image.width, image.height, image.channels, is_srgb,
        is_exr ? nullptr : bytes.data(), is_exr ? floats.data() : nullptr},
       encoded);
-  if (!problem.empty()) throw OutputError("cannot encode the image: " + one_line(problem));
+  throw_if_not_encoded(problem);
   return encoded;
-}
-
-bool is_image_module_loaded() {
-  return is_loaded;
 }
 
 }  // namespace sweepkit::texmap

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,14 +40,50 @@ struct ModuleEncoding {
   const float* floats;        ///< for exr
 };
 
+/// An image file that stays open to be read piece by piece.
+struct ModuleFile {
+  void* handle = nullptr;  ///< to be given to close()
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  bool is_float = false;
+  bool is_tiled = false;  ///< any piece costs about what it holds; else every row above it is read as well
+};
+
+struct ModuleRect {
+  int x, y, width, height;
+};
+
+/// Takes rows first..first + count - 1, as std::uint16_t or float. Returns what is wrong with them, or an
+/// empty text.
+using TakeRows = std::string (*)(void* context, int first, int count, const void* samples);
+
 /// Each returns an empty text, or what went wrong.
 struct ImageModule {
   std::string (*read)(const std::string& file, ModuleImage& image);
   std::string (*read_info)(const std::string& file, ModuleInfo& info);
+  /// The whole image in bands of rows, from the top, few of them in memory at a time.
+  std::string (*read_rows)(const std::string& file, TakeRows take, void* context);
+  /// `cache_bytes` bound what the file's own tiles take in memory.
+  std::string (*open)(const std::string& file, std::size_t cache_bytes, ModuleFile& opened);
+  /// A rectangle inside the image, row by row, all channels: std::uint16_t, or float where is_float. Any
+  /// number of threads.
+  std::string (*read_rect)(void* handle, const ModuleRect& rect, void* samples);
+  void (*close)(void* handle);
   std::string (*encode)(const ModuleEncoding& encoding, std::vector<std::byte>& bytes);
 };
 
-inline constexpr const char* kImageModuleSymbol = "sweepkit_image_module_1";
+/// The module, loaded by the first call. Throws OutputError if it is missing.
+const ImageModule& image_module();
+
+/// Throws InputError if there is no such file, or if it is a folder.
+void check_image_exists(const std::filesystem::path& file);
+
+/// What the module found wrong, as an InputError about the file or an OutputError.
+void throw_if_unreadable(const std::filesystem::path& file, const std::string& problem);
+void throw_if_not_encoded(const std::string& problem);
+
+inline constexpr const char* kImageModuleSymbol = "sweepkit_image_module_2";
 inline constexpr const char* kImageModuleFile = "sweepkit-image-files.so";
 
 }  // namespace sweepkit::texmap

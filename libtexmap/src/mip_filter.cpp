@@ -62,6 +62,16 @@ glm::vec3 mean_of_all(const Pyramid& pyramid, TileReader& tiles) {
   return color_of(bilinear_on(pyramid, pyramid.level_count() - 1, Wrap::kClamp, glm::dvec2(0.5), tiles));
 }
 
+glm::vec3 nearest_texel(const Pyramid& pyramid, Wrap wrap, glm::dvec2 uv, TileReader& tiles) {
+  if (!std::isfinite(uv.x + uv.y)) return mean_of_all(pyramid, tiles);
+  const Pyramid::Level& size = pyramid.level(0);
+  const glm::dvec2 at = glm::floor(near_origin({uv.x, 1 - uv.y}, wrap) * glm::dvec2(size.width, size.height));
+  const int x = wrapped(static_cast<int>(at.x), size.width, wrap).texel;
+  const int y = wrapped(static_cast<int>(at.y), size.height, wrap).texel;
+  return color_of(pyramid.is_float() ? texel_at<FloatTexel>(pyramid, 0, x, y, tiles)
+                                     : texel_at<IntegerTexel>(pyramid, 0, x, y, tiles));
+}
+
 glm::vec3 bilinear(const Pyramid& pyramid, Wrap wrap, glm::dvec2 uv, TileReader& tiles) {
   if (!std::isfinite(uv.x + uv.y)) return mean_of_all(pyramid, tiles);
   return color_of(bilinear_on(pyramid, 0, wrap, near_origin({uv.x, 1 - uv.y}, wrap), tiles));

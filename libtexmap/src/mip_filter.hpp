@@ -10,6 +10,9 @@
 
 namespace sweepkit::texmap {
 
+/// The texel of the finest level that (u,v) falls in.
+glm::vec3 nearest_texel(const Pyramid& pyramid, Wrap wrap, glm::dvec2 uv, TileReader& tiles);
+
 /// The texels about (u,v) of the finest level, interpolated between.
 glm::vec3 bilinear(const Pyramid& pyramid, Wrap wrap, glm::dvec2 uv, TileReader& tiles);
 

@@ -47,7 +47,7 @@ FloatTexel to_texel(const double (&sum)[3], FloatTexel /*form*/) {
 
 }  // namespace
 
-Pyramid::Pyramid(std::unique_ptr<TexelSource> source, TileCache& cache, std::uint32_t id)
+Pyramid::Pyramid(std::shared_ptr<const TexelSource> source, TileCache& cache, std::uint32_t id)
     : source_(std::move(source)), cache_(cache), id_(id) {
   levels_.push_back({source_->width(), source_->height()});
   while (levels_.back().width > 1 || levels_.back().height > 1) {

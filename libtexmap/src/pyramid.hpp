@@ -25,7 +25,7 @@ class Pyramid : public TileMaker {
   };
 
   /// `id` sets the texture apart from others in the same cache.
-  Pyramid(std::unique_ptr<TexelSource> source, TileCache& cache, std::uint32_t id);
+  Pyramid(std::shared_ptr<const TexelSource> source, TileCache& cache, std::uint32_t id);
 
   bool is_float() const { return source_->is_float(); }
   int level_count() const { return static_cast<int>(levels_.size()); }
@@ -49,7 +49,7 @@ class Pyramid : public TileMaker {
   template <class Texel>
   std::vector<Texel> read_level(std::uint32_t level, const PixelRect& rect) const;
 
-  std::unique_ptr<TexelSource> source_;
+  std::shared_ptr<const TexelSource> source_;
   TileCache& cache_;
   std::uint32_t id_;
   std::vector<Level> levels_;

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "sweepkit/texmap/image_file.hpp"
+
 namespace sweepkit::texmap {
 namespace {
 
@@ -14,6 +16,7 @@ class WholeImage : public TexelSource {
   int width() const override { return image_->width; }
   int height() const override { return image_->height; }
   bool is_float() const override { return image_->is_float(); }
+  std::size_t bytes() const override { return image_->bytes(); }
   void read(const PixelRect& rect, std::span<IntegerTexel> texels) const override {
     copy<std::uint16_t>(rect, texels, 65535);
   }
@@ -44,8 +47,12 @@ class WholeImage : public TexelSource {
 
 }  // namespace
 
-std::unique_ptr<TexelSource> make_texel_source(std::shared_ptr<const Image> image) {
-  return std::make_unique<WholeImage>(std::move(image));
+std::shared_ptr<const TexelSource> make_texel_source(std::shared_ptr<const Image> image) {
+  return std::make_shared<const WholeImage>(std::move(image));
+}
+
+std::size_t bytes_held(const TexelSource& image) {
+  return image.bytes();
 }
 
 }  // namespace sweepkit::texmap

@@ -18,14 +18,15 @@ class TexelSource {
   virtual int width() const = 0;
   virtual int height() const = 0;
   virtual bool is_float() const = 0;
+  virtual std::size_t bytes() const = 0;  ///< of memory held
 
   /// Fills `texels`, row by row, with a rectangle inside the image. Only the form that is_float() names may
-  /// be asked for. Any number of threads.
+  /// be asked for. Any number of threads. Throws InputError where a file turns out to be damaged.
   virtual void read(const PixelRect& rect, std::span<IntegerTexel> texels) const = 0;
   virtual void read(const PixelRect& rect, std::span<FloatTexel> texels) const = 0;
 };
 
 /// An image that is in memory as a whole.
-std::unique_ptr<TexelSource> make_texel_source(std::shared_ptr<const Image> image);
+std::shared_ptr<const TexelSource> make_texel_source(std::shared_ptr<const Image> image);
 
 }  // namespace sweepkit::texmap

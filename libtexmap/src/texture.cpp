@@ -20,7 +20,7 @@ int texel_index(double t, int size, Wrap wrap) {
 
 glm::vec3 point_sample(const Texture& texture, glm::dvec2 uv, const glm::dvec3& position) {
   if (const auto* procedural = std::get_if<Procedural>(&texture)) return evaluate(*procedural, uv, position);
-  const auto& [image, wrap] = std::get<ImageTexture>(texture);
+  const auto& [image, wrap, file] = std::get<ImageTexture>(texture);
   return image->color(texel_index(uv.x, image->width, wrap), texel_index(1 - uv.y, image->height, wrap));
 }
 

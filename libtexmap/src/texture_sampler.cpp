@@ -39,8 +39,8 @@ TextureSampler::TextureSampler(const ImageTexture& texture, Filter filter, TileC
   prepared->filter = filter;
   if (reads_table(filter)) {
     prepared->table.emplace(*texture.image, texture.wrap);
-  } else if (filter != Filter::kPoint) {
-    prepared->pyramid.emplace(make_texel_source(texture.image), cache, id);
+  } else {
+    prepared->pyramid.emplace(texture.file ? texture.file : make_texel_source(texture.image), cache, id);
   }
   prepared_ = std::move(prepared);
 }
@@ -51,7 +51,7 @@ glm::vec3 TextureSampler::sample(const Footprint& footprint, FilterThread& threa
   const Wrap wrap = prepared_->texture.wrap;
   switch (prepared_->filter) {
     case Filter::kPoint:
-      return point_sample(prepared_->texture, footprint.uv, glm::dvec3(0.0));
+      return nearest_texel(*prepared_->pyramid, wrap, footprint.uv, thread.scratch_->tiles);
     case Filter::kBilinear:
       return bilinear(*prepared_->pyramid, wrap, footprint.uv, thread.scratch_->tiles);
     case Filter::kTrilinear:

@@ -51,7 +51,7 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
   const auto parts = parts_of(run.out);
   EXPECT_EQ(parts.size(), 12u);
   for (const char* name :
-       {"half-edges", "textures", "baked textures", "integral tables", "texture pyramids", "(u,v) at hits",
+       {"half-edges", "textures", "baked textures", "integral tables", "texture tiles", "(u,v) at hits",
         "filtered nodes", "row buffers", "intersection trees", "supersampling", "grid over objects"}) {
     expect_left_out(parts, name);
   }
@@ -66,14 +66,14 @@ TEST(Explain, OfAGenerateShowsThatNoPictureIsDrawn) {
   for (const auto& [name, part] : parts_of(run.out)) expect_left_out(parts_of(run.out), name);
 }
 
-TEST(Explain, OfASceneThatNeedsEverythingCountsEverythingButHalfEdgesAndBakes) {
+TEST(Explain, OfASceneThatNeedsEverythingCountsEverythingButHalfEdgesBakesAndTables) {
   const Workshop workshop;
   const Outcome run =
       workshop.sweepkit({"render", SWEEPKIT_SAMPLES "/scenes/vase_and_cup.json", "-o", "p.png", "--explain",
                          "--json", "--size", "48x48", "--antialias", "3x3"});
   ASSERT_EQ(run.status, 0) << run.err;
   for (const auto& [name, part] : parts_of(run.out)) {
-    if (name == "half-edges" || name == "baked textures") {
+    if (name == "half-edges" || name == "baked textures" || name == "integral tables") {
       expect_left_out(parts_of(run.out), name);
     } else {
       EXPECT_EQ(part.needed, "true") << name;

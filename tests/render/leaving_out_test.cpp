@@ -21,7 +21,7 @@ TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrGlobalGrid) {
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   const Picture picture = stage.draw();
   for (const Part part :
-       {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kPyramids, Part::kTexcoords,
+       {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles, Part::kTexcoords,
         Part::kFilteredNodes, Part::kRows, Part::kTrees, Part::kSupersampling, Part::kGlobalGrid}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
@@ -44,7 +44,7 @@ TEST(LeavingOut, EveryPartThatIsNeededShowsUp) {
   stage.set_texture(0, texmap::Image{4, 4, 1, std::vector<std::uint16_t>(16, 30000)});
   EXPECT_GT(stage.draw({.filter = Filter::kIntegral1}).ledger[Part::kTables].calls, 0u);
   const Picture picture = stage.draw({.supersampling = 3});
-  for (const Part part : {Part::kPyramids, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
+  for (const Part part : {Part::kTiles, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
                           Part::kShadows, Part::kSupersampling, Part::kGlobalGrid}) {
     EXPECT_GT(picture.ledger[part].calls, 0u) << scene::part_name(part);
   }

@@ -50,17 +50,17 @@ TEST(Plan, EveryFilterNeedsWhatItReadsAlone) {
   const auto with = [&](texmap::Filter filter) {
     return needed(document, {.product = Product::kPicture, .filter = filter});
   };
-  EXPECT_EQ(with(texmap::Filter::kBilinear), (std::set{Part::kTextures, Part::kPyramids, Part::kTexcoords}));
+  EXPECT_EQ(with(texmap::Filter::kBilinear), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords}));
   for (const texmap::Filter filter :
        {texmap::Filter::kTrilinear, texmap::Filter::kEwa, texmap::Filter::kAuto}) {
-    EXPECT_EQ(with(filter), (std::set{Part::kTextures, Part::kPyramids, Part::kTexcoords,
+    EXPECT_EQ(with(filter), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords,
                                       Part::kFilteredNodes, Part::kRows}));
   }
 }
 
-TEST(Plan, AnImageThatIsNotFilteredNeedsTexcoordsOnly) {
+TEST(Plan, AnImageThatIsNotFilteredNeedsItsTilesAndTexcoords) {
   EXPECT_EQ(needed(scene_of(R"("texture": "image")"), {.product = Product::kPicture}),
-            (std::set{Part::kTextures, Part::kTexcoords}));
+            (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords}));
 }
 
 TEST(Plan, ProceduralTexturesNeedNoTable) {
@@ -112,11 +112,11 @@ TEST(Plan, MaterialsThatNoObjectHasCountForNothing) {
   EXPECT_EQ(plan(document, kPicture).textures, std::vector{false});
 }
 
-TEST(Plan, TablesAreForTheImagesInUse) {
+TEST(Plan, SamplersAreForTheImagesInUse) {
   const Plan plan = scene::plan(scene_of(R"("texture": "image")"), kPicture);
   EXPECT_EQ(plan.textures, (std::vector{true, false, false}));
-  EXPECT_EQ(plan.filtered, (std::vector{true, false, false}));
-  EXPECT_EQ(scene::plan(scene_of(R"("texture": "tiles")"), kPicture).filtered,
+  EXPECT_EQ(plan.sampled, (std::vector{true, false, false}));
+  EXPECT_EQ(scene::plan(scene_of(R"("texture": "tiles")"), kPicture).sampled,
             (std::vector{false, false, false}));
 }
 

@@ -31,7 +31,8 @@ struct Render {
   std::string footprint = "auto";
   std::string antialias = "off";
   std::string statistics;  // a file
-  int depth = -1;          // the scene's
+  std::size_t texture_megabytes = texmap::kDefaultTextureMemory >> 20;
+  int depth = -1;  // the scene's
 };
 
 void check_names(const Render& command) {
@@ -99,6 +100,7 @@ void draw(Render& command) {
   const scene::Document document = read_document(command);
   const scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kPicture,
                                                   .filter = command.options.filter,
+                                                  .texture_memory = command.texture_megabytes << 20,
                                                   .is_supersampled = command.options.supersampling > 1});
   if (output.file.empty()) {
     print({{}, {plan_table(plan, {})}}, output);
@@ -157,6 +159,13 @@ void add_render(CLI::App& app) {
   sub.add_option("--depth", command->depth, "Levels of reflection, instead of the scene's")
       ->type_name("N")
       ->check(CLI::Range(0, kDeepest));
+  sub.add_option(
+         "--texture-memory", command->texture_megabytes,
+         "What image textures may fill of the memory; larger ones are read piece by piece. The picture is "
+         "the same")
+      ->type_name("MB")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{16}, std::size_t{1} << 20));
   sub.add_option("--threads", command->options.threads,
                  "Threads; without it as many as the machine has. The picture is the same")
       ->type_name("N")

@@ -20,7 +20,7 @@ using texmap::Filter;
 enum class Footprint {
   kNeighbours,  ///< as the paper has it: only where all eight neighbours lie on the same piece of texture;
                 ///< tables of integrals take the box about them as it is, two pixels wide
-  kAuto,  ///< steps of one pixel by differences to the four next neighbours, or those that are there
+  kAuto,        ///< steps of one pixel by differences to the four next neighbours, or those that are there
 };
 
 /// One eye ray a pixel; or a picture n times as large each way, shrunk. 3 takes the paper's weights (1/4 in

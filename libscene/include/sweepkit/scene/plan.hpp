@@ -10,6 +10,7 @@
 
 #include "sweepkit/scene/document.hpp"
 #include "sweepkit/texmap/filter.hpp"
+#include "sweepkit/texmap/texture_memory.hpp"
 
 namespace sweepkit::scene {
 
@@ -20,7 +21,7 @@ enum class Part {
   kTextures,       ///< texture images read, procedural textures set up
   kBakes,          ///< procedural textures turned into images for a file
   kTables,         ///< tables of integrals over textures that the filter reads
-  kPyramids,       ///< tiles of smaller and smaller copies of those textures
+  kTiles,          ///< tiles of image textures and of their smaller copies
   kTexcoords,      ///< (u,v) interpolated at hits
   kFilteredNodes,  ///< neighbours' boxes made and looked up
   kRows,           ///< the two neighbouring row buffers
@@ -42,7 +43,8 @@ struct Need {
 struct Plan {
   std::array<Need, kPartCount> needs;
   std::vector<bool> textures;  ///< by Document::textures: is it read at all?
-  std::vector<bool> filtered;  ///< by Document::textures: does a filter look it up?
+  std::size_t texture_memory = texmap::kDefaultTextureMemory;
+  std::vector<bool> sampled;  ///< by Document::textures: is it an image that a picture shows?
 
   bool needs_part(Part part) const { return needs[static_cast<std::size_t>(part)].is_needed; }
 };
@@ -53,6 +55,7 @@ struct Request {
   Product product = Product::kPicture;
   bool has_half_edges = false;  ///< someone walks the half-edges
   texmap::Filter filter = texmap::Filter::kPoint;
+  std::size_t texture_memory = texmap::kDefaultTextureMemory;  ///< bytes that a picture's textures may fill
   bool is_supersampled = false;
 };
 

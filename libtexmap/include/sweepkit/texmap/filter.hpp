@@ -22,7 +22,7 @@ enum class Filter {
 constexpr bool reads_footprint(Filter filter) {
   return filter != Filter::kPoint && filter != Filter::kBilinear;
 }
-/// Does it read a table of integrals (else tiles of a pyramid, or for kPoint the image itself)?
+/// Does it read a table of integrals (else tiles)?
 constexpr bool reads_table(Filter filter) {
   return filter == Filter::kIntegral1;
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,19 @@ enum class ColorSpace { kSrgb, kLinear };
 /// naming the file: missing, no image, cut short or otherwise damaged, no pixels, too large (over 2^31
 /// texels), or NaN or infinity in a float image.
 Image read_image(const std::filesystem::path& file, ColorSpace color_space);
+
+class TexelSource;
+
+/// Opens an image for filters that read tiles. An image of at most a quarter of `memory` bytes is read whole.
+/// A larger one stays in its file if that is tiled; else it is unpacked, once, into a temporary file (8 bytes
+/// a texel, 16 of float images; TMPDIR says where) that has no name and goes with the program. Throws
+/// InputError as read_image() does, and, for files that stay where they are, when a damaged part is first
+/// read; OutputError if the temporary file cannot be written.
+std::shared_ptr<const TexelSource> open_image(const std::filesystem::path& file, ColorSpace color_space,
+                                              std::size_t memory);
+
+/// Memory that such an image holds besides tiles.
+std::size_t bytes_held(const TexelSource& image);
 
 struct ImageFileInfo {
   int width = 0;

@@ -13,17 +13,21 @@ namespace sweepkit::texmap {
 
 enum class Wrap { kRepeat, kClamp, kMirror };
 
-/// An image laid over (u,v): u to the right, v upwards, the top row at v = 1.
+class TexelSource;  // of an image file that is read piece by piece (image_file.hpp)
+
+/// An image laid over (u,v): u to the right, v upwards, the top row at v = 1. Either the whole image is in
+/// memory or its file is read as it is needed; files are for filters that read tiles.
 struct ImageTexture {
   std::shared_ptr<const Image> image;
   Wrap wrap = Wrap::kRepeat;
+  std::shared_ptr<const TexelSource> file;
 };
 
 using Texture = std::variant<ImageTexture, Procedural>;
 
 /// The colour at one point, linear RGB: the texel that (u,v) falls in, or the procedural's value. `position`
-/// is in the object's own space, metres; only procedurals on position read it. (u,v) that are not finite give
-/// the texel (0,0).
+/// is in the object's own space, metres; only procedurals on position read it. Precondition: the image is in
+/// memory. (u,v) that are not finite give the texel (0,0).
 glm::vec3 point_sample(const Texture& texture, glm::dvec2 uv, const glm::dvec3& position);
 
 }  // namespace sweepkit::texmap

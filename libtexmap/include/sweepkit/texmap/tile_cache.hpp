@@ -11,6 +11,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "sweepkit/texmap/texture_memory.hpp"
+
 namespace sweepkit::texmap {
 
 /// Which tile of which level of which texture.
@@ -58,9 +60,7 @@ class TileMaker {
 /// (TileReader: 128 tiles each) and by the tiles being made. Any number of threads.
 class TileCache {
  public:
-  static constexpr std::size_t kDefaultBound = std::size_t{512} << 20;
-
-  explicit TileCache(std::size_t bound = kDefaultBound) : bound_(bound) {}
+  explicit TileCache(std::size_t bound = kDefaultTextureMemory) : bound_(bound) {}
 
   /// The tile, pinned; unpin() it when done. `maker` is asked without any lock held, possibly by several
   /// threads at once; what it throws passes through.
