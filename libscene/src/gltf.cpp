@@ -201,8 +201,9 @@ class Writer {
     tinygltf::Sampler sampler;
     sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
     sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
-    sampler.wrapS = sampler.wrapT =
-        wrap == texmap::Wrap::kRepeat ? TINYGLTF_TEXTURE_WRAP_REPEAT : TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+    static constexpr std::array kModes = {TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE,
+                                          TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT};  // by Wrap
+    sampler.wrapS = sampler.wrapT = kModes[static_cast<std::size_t>(wrap)];
     const auto same = std::find(model_.samplers.begin(), model_.samplers.end(), sampler);
     tinygltf::Texture texture;
     texture.source = image;

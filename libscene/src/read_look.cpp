@@ -59,7 +59,7 @@ TextureEntry read_texture(const std::string& name, const Node& node, const std::
     ImageEntry source{folder / image->text()};
     entry.place = image->place();
     if (const auto wrap = reader.find("wrap"))
-      source.wrap = static_cast<texmap::Wrap>(wrap->choice({"repeat", "clamp"}));
+      source.wrap = static_cast<texmap::Wrap>(wrap->choice({"repeat", "clamp", "mirror"}));
     if (const auto space = reader.find("color_space")) {
       source.color_space = static_cast<texmap::ColorSpace>(space->choice({"srgb", "linear"}));
     }

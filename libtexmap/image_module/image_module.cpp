@@ -207,9 +207,12 @@ std::string open(const std::string& file, std::size_t cache_bytes, ModuleFile& o
   tiled->x = spec.x;
   tiled->y = spec.y;
   tiled->channels = channels_of(spec);
-  const bool is_float = !is_integer(spec.format);
-  tiled->type = is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT16;
-  opened = {tiled.get(), spec.width, spec.height, tiled->channels, is_float, spec.tile_width > 0};
+  // As the file has them: OpenImageIO goes by way of float from one integer to another, and takes longer for
+  // that than for the decoding.
+  tiled->type = is_integer(spec.format) ? spec.format : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT);
+  opened = {
+      tiled.get(),        spec.width, spec.height, tiled->channels, static_cast<int>(tiled->type.size()),
+      spec.tile_width > 0};
   static_cast<void>(tiled.release());
   return {};
 } catch (const std::exception& error) {

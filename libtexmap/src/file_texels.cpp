@@ -32,9 +32,14 @@ struct Decoding {
   std::size_t green() const { return channels >= 3 ? 1 : 0; }
   std::size_t blue() const { return channels >= 3 ? 2 : 0; }
 
-  void decode(const std::uint16_t* samples, const PixelRect& /*rect*/, std::span<IntegerTexel> texels) const {
+  template <class Sample>
+  void decode(const Sample* samples, const PixelRect& /*rect*/, std::span<IntegerTexel> texels) const {
+    constexpr int kTo16Bits = sizeof(Sample) == 1 ? 257 : 1;
     const std::vector<std::uint16_t>* table = is_srgb ? &linear_from_srgb_table() : nullptr;
-    const auto light = [&](std::uint16_t sample) { return table != nullptr ? (*table)[sample] : sample; };
+    const auto light = [&](Sample sample) {
+      const auto wide = static_cast<std::uint16_t>(kTo16Bits * sample);
+      return table != nullptr ? (*table)[wide] : wide;
+    };
     for (IntegerTexel& texel : texels) {
       texel = IntegerTexel{light(samples[0]), light(samples[green()]), light(samples[blue()]), 65535};
       samples += channels;
@@ -64,10 +69,14 @@ class TiledFile : public TexelSource {
 
   int width() const override { return opened_.width; }
   int height() const override { return opened_.height; }
-  bool is_float() const override { return opened_.is_float; }
+  bool is_float() const override { return opened_.sample_bytes == 4; }
   std::size_t bytes() const override { return cache_bytes_; }
   void read(const PixelRect& rect, std::span<IntegerTexel> texels) const override {
-    read_as<std::uint16_t>(rect, texels);
+    if (opened_.sample_bytes == 1) {
+      read_as<std::uint8_t>(rect, texels);
+    } else {
+      read_as<std::uint16_t>(rect, texels);
+    }
   }
   void read(const PixelRect& rect, std::span<FloatTexel> texels) const override {
     read_as<float>(rect, texels);
@@ -195,14 +204,14 @@ std::shared_ptr<const TexelSource> open_image(const std::filesystem::path& file,
   const std::size_t samples = static_cast<std::size_t>(opened.width) *
                               static_cast<std::size_t>(opened.height) *
                               static_cast<std::size_t>(opened.channels);
-  const bool is_small = samples * (opened.is_float ? 4 : 2) <= memory / 4;
+  const bool is_float = opened.sample_bytes == 4;
+  const bool is_small = samples * (is_float ? 4 : 2) <= memory / 4;
   Decoding decoding{file, opened.channels, color_space == ColorSpace::kSrgb};
   if (opened.is_tiled && !is_small)
     return std::make_shared<const TiledFile>(std::move(decoding), opened, cache_bytes);
   image_module().close(opened.handle);
   if (is_small) return make_texel_source(std::make_shared<const Image>(read_image(file, color_space)));
-  return std::make_shared<const UnpackedFile>(std::move(decoding), opened.width, opened.height,
-                                              opened.is_float);
+  return std::make_shared<const UnpackedFile>(std::move(decoding), opened.width, opened.height, is_float);
 }
 
 }  // namespace sweepkit::texmap

@@ -46,7 +46,7 @@ struct ModuleFile {
   int width = 0;
   int height = 0;
   int channels = 0;
-  bool is_float = false;
+  int sample_bytes = 2;   ///< 1 and 2 are unsigned integers, 4 is float
   bool is_tiled = false;  ///< any piece costs about what it holds; else every row above it is read as well
 };
 
@@ -66,8 +66,8 @@ struct ImageModule {
   std::string (*read_rows)(const std::string& file, TakeRows take, void* context);
   /// `cache_bytes` bound what the file's own tiles take in memory.
   std::string (*open)(const std::string& file, std::size_t cache_bytes, ModuleFile& opened);
-  /// A rectangle inside the image, row by row, all channels: std::uint16_t, or float where is_float. Any
-  /// number of threads.
+  /// A rectangle inside the image, row by row, all channels, samples as `sample_bytes` says. Any number of
+  /// threads.
   std::string (*read_rect)(void* handle, const ModuleRect& rect, void* samples);
   void (*close)(void* handle);
   std::string (*encode)(const ModuleEncoding& encoding, std::vector<std::byte>& bytes);

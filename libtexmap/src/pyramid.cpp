@@ -45,6 +45,16 @@ FloatTexel to_texel(const double (&sum)[3], FloatTexel /*form*/) {
   return FloatTexel{static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]), 1.0f};
 }
 
+// The common case, a size that halves evenly. Rounds as to_texel() does.
+IntegerTexel mean_of(IntegerTexel a, IntegerTexel b, IntegerTexel c, IntegerTexel d) {
+  using Wide = std::uint32_t __attribute__((vector_size(16)));
+  const auto wide = [](IntegerTexel texel) { return __builtin_convertvector(texel, Wide); };
+  return __builtin_convertvector((wide(a) + wide(b) + wide(c) + wide(d) + 2) >> 2, IntegerTexel);
+}
+FloatTexel mean_of(FloatTexel a, FloatTexel b, FloatTexel c, FloatTexel d) {
+  return 0.25f * ((a + b) + (c + d));
+}
+
 }  // namespace
 
 Pyramid::Pyramid(std::shared_ptr<const TexelSource> source, TileCache& cache, std::uint32_t id)
@@ -56,25 +66,44 @@ Pyramid::Pyramid(std::shared_ptr<const TexelSource> source, TileCache& cache, st
   }
 }
 
-std::unique_ptr<Tile> Pyramid::make(const TileKey& key) const {
-  return is_float() ? make_of<FloatTexel>(key) : make_of<IntegerTexel>(key);
+std::size_t Pyramid::tile_bytes(const TileKey& key) const {
+  const int height = std::min(kTileSide, levels_[key.level].height - static_cast<int>(key.row) * kTileSide);
+  return (is_float() ? sizeof(FloatTexel) : sizeof(IntegerTexel)) * kTileSide *
+         static_cast<std::size_t>(height);
+}
+
+void Pyramid::make(const TileKey& key, std::byte* texels) const {
+  if (is_float()) {
+    make_of(key, reinterpret_cast<FloatTexel*>(texels));
+  } else {
+    make_of(key, reinterpret_cast<IntegerTexel*>(texels));
+  }
 }
 
 template <class Texel>
-std::unique_ptr<Tile> Pyramid::make_of(const TileKey& key) const {
+void Pyramid::make_of(const TileKey& key, Texel* texels) const {
   const Level& size = levels_[key.level];
   const int x0 = static_cast<int>(key.column) * kTileSide;
   const int y0 = static_cast<int>(key.row) * kTileSide;
   const int width = std::min(kTileSide, size.width - x0);
   const int height = std::min(kTileSide, size.height - y0);
-  auto tile = std::make_unique<Tile>(sizeof(Texel) * kTileSide * static_cast<std::size_t>(height));
-  auto* texels = reinterpret_cast<Texel*>(tile->data());
   if (key.level == 0) {
     const std::vector<Texel> region = read_level<Texel>(0, {x0, y0, width, height});
     for (int y = 0; y < height; ++y) std::copy_n(region.begin() + y * width, width, texels + y * kTileSide);
-    return tile;
+    return;
   }
   const Level& finer = levels_[key.level - 1];
+  if (finer.width == 2 * size.width && finer.height == 2 * size.height) {
+    const std::vector<Texel> region =
+        read_level<Texel>(key.level - 1, {2 * x0, 2 * y0, 2 * width, 2 * height});
+    for (int y = 0; y < height; ++y) {
+      const Texel* upper = region.data() + std::ptrdiff_t{2 * y} * (2 * width);
+      const Texel* lower = upper + 2 * width;
+      for (int x = 0; x < width; ++x)
+        texels[y * kTileSide + x] = mean_of(upper[2 * x], upper[2 * x + 1], lower[2 * x], lower[2 * x + 1]);
+    }
+    return;
+  }
   std::vector<Share> across;
   std::vector<Share> down;
   for (int x = 0; x < width; ++x) across.push_back(share_of(x0 + x, finer.width, size.width));
@@ -98,7 +127,6 @@ std::unique_ptr<Tile> Pyramid::make_of(const TileKey& key) const {
       texels[y * kTileSide + x] = to_texel(sum, Texel{});
     }
   }
-  return tile;
 }
 
 // The finest level straight from the source: a tile of it is made once, by whoever reads it itself.

@@ -11,8 +11,8 @@
 
 namespace sweepkit::texmap {
 
-/// Texels along a tile's side. A tile of integer texels is 32 KiB; those at the right and lower border of a
-/// level have whole rows and as few of them as there are.
+/// Texels along a tile's side: a tile of integer texels is 32 KiB. Those at the lower border of a level have
+/// as few rows as there are.
 inline constexpr int kTileSide = 64;
 
 /// A texture at every size from its own down to one texel, each half the one before (rounded down, each texel
@@ -41,11 +41,12 @@ class Pyramid : public TileMaker {
                     *this));
   }
 
-  std::unique_ptr<Tile> make(const TileKey& key) const override;
+  std::size_t tile_bytes(const TileKey& key) const override;
+  void make(const TileKey& key, std::byte* texels) const override;
 
  private:
   template <class Texel>
-  std::unique_ptr<Tile> make_of(const TileKey& key) const;
+  void make_of(const TileKey& key, Texel* texels) const;
   template <class Texel>
   std::vector<Texel> read_level(std::uint32_t level, const PixelRect& rect) const;
 

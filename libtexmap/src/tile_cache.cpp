@@ -8,9 +8,30 @@
 #include "sweepkit/texmap/tile_cache.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <mutex>
 
 namespace sweepkit::texmap {
+
+std::size_t TileMemory::slot_bytes(std::size_t bytes) {
+  return std::bit_ceil(std::max(bytes, sizeof(Line)));
+}
+
+std::byte* TileMemory::take(std::size_t slot) {
+  std::vector<std::byte*>& free = free_[static_cast<std::size_t>(std::countr_zero(slot))];
+  if (free.empty()) {
+    std::vector<Line>& block = blocks_.emplace_back(std::max(slot, kBlock) / sizeof(Line));
+    auto* first = reinterpret_cast<std::byte*>(block.data());
+    for (std::size_t at = kBlock; at >= slot; at -= slot) free.push_back(first + at - slot);
+  }
+  std::byte* memory = free.back();
+  free.pop_back();
+  return memory;
+}
+
+void TileMemory::give_back(std::byte* memory, std::size_t slot) {
+  free_[static_cast<std::size_t>(std::countr_zero(slot))].push_back(memory);
+}
 
 const Tile* TileCache::pin(const TileKey& key, const TileMaker& maker) {
   const std::uint64_t packed = key.packed();
@@ -24,8 +45,7 @@ const Tile* TileCache::pin(const TileKey& key, const TileMaker& maker) {
     const std::shared_lock lock(mutex_);
     if (const auto found = tiles_.find(packed); found != tiles_.end()) return take(*found->second);
   }
-  std::unique_ptr<Tile> made = maker.make(key);
-  made->key_ = packed;
+  std::unique_ptr<Tile> made = make_tile(key, maker);
   const std::unique_lock lock(mutex_);
   // Another thread may have been first; its tile holds the same bytes.
   const auto [place, is_new] = tiles_.try_emplace(packed, std::move(made));
@@ -33,9 +53,29 @@ const Tile* TileCache::pin(const TileKey& key, const TileMaker& maker) {
   if (is_new) {
     clock_.push_back(tile);
     ++counts_.made;
-    counts_.bytes += tile->bytes();
+    counts_.bytes += tile->bytes_;
     drop_to_bound();
     counts_.peak_bytes = std::max(counts_.peak_bytes, counts_.bytes);
+  } else {
+    memory_.give_back(made->data_, made->bytes_);
+  }
+  return tile;
+}
+
+std::unique_ptr<Tile> TileCache::make_tile(const TileKey& key, const TileMaker& maker) {
+  auto tile = std::make_unique<Tile>();
+  tile->key_ = key.packed();
+  tile->bytes_ = TileMemory::slot_bytes(maker.tile_bytes(key));
+  {
+    const std::unique_lock lock(mutex_);
+    tile->data_ = memory_.take(tile->bytes_);
+  }
+  try {
+    maker.make(key, tile->data_);
+  } catch (...) {
+    const std::unique_lock lock(mutex_);
+    memory_.give_back(tile->data_, tile->bytes_);
+    throw;
   }
   return tile;
 }
@@ -52,8 +92,9 @@ void TileCache::drop_to_bound() {
     } else if (tile->lives_.fetch_sub(1, std::memory_order_relaxed) > 0) {
       ++hand_;
     } else {
-      counts_.bytes -= tile->bytes();
+      counts_.bytes -= tile->bytes_;
       ++counts_.dropped;
+      memory_.give_back(tile->data_, tile->bytes_);
       clock_[hand_] = clock_.back();
       clock_.pop_back();
       tiles_.erase(tile->key_);

@@ -3,6 +3,7 @@
 #include "workshop.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -113,11 +114,13 @@ Outcome Workshop::run(const std::vector<std::string>& command) const {
   const pid_t child = fork();
   if (child == 0) become(command, folder_, fileno(outputs[0]), fileno(outputs[1]));
   int wait_status = 0;
-  while (waitpid(child, &wait_status, 0) < 0 && errno == EINTR) {
+  rusage used{};
+  while (wait4(child, &wait_status, 0, &used) < 0 && errno == EINTR) {
   }
   Outcome result;
   result.time = std::chrono::steady_clock::now() - start;
   result.status = exit_status(wait_status);
+  result.peak_bytes = std::size_t{1024} * static_cast<std::size_t>(used.ru_maxrss);
   for (std::size_t i = 0; i < 2; ++i) {
     std::string& text = i == 0 ? result.out : result.err;
     std::rewind(outputs[i]);

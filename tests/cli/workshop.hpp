@@ -18,6 +18,7 @@ struct Outcome {
   std::string out;
   std::string err;
   std::chrono::duration<double> time{};
+  std::size_t peak_bytes = 0;  ///< the most memory that it held at once
 };
 
 /// An empty folder to work in, removed at the end. The program runs inside it.

@@ -53,8 +53,8 @@ TEST(Plan, EveryFilterNeedsWhatItReadsAlone) {
   EXPECT_EQ(with(texmap::Filter::kBilinear), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords}));
   for (const texmap::Filter filter :
        {texmap::Filter::kTrilinear, texmap::Filter::kEwa, texmap::Filter::kAuto}) {
-    EXPECT_EQ(with(filter), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords,
-                                      Part::kFilteredNodes, Part::kRows}));
+    EXPECT_EQ(with(filter),
+              (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords, Part::kFilteredNodes, Part::kRows}));
   }
 }
 

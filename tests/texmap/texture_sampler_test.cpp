@@ -302,11 +302,11 @@ TEST(TileCache, StaysWithinItsBoundAndWhatItsReadersHold) {
       for (int x = 0; x < 32; ++x) sampler.sample({{(x + 0.5) / 32, (y + 0.5) / 32}}, thread);
     }
   }
-  constexpr std::size_t kTile = 64 * 64 * 8 + 64;
+  constexpr std::size_t kTile = 64 * 64 * 8;
   const TileCache::Counts counts = cache.counts();
   EXPECT_EQ(counts.made, 1024u);
   EXPECT_LE(counts.peak_bytes, kBound + 129 * kTile);
-  EXPECT_EQ(counts.made - counts.dropped, counts.bytes / (64 * 64 * 8 + 16));
+  EXPECT_EQ(counts.made - counts.dropped, counts.bytes / kTile);
 }
 
 }  // namespace

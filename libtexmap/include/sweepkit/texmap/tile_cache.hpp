@@ -30,18 +30,12 @@ struct TileKey {
 /// Memory of one tile; what is in it never changes once it is in the cache.
 class Tile {
  public:
-  explicit Tile(std::size_t bytes) : texels_(bytes / sizeof(Block) + 1) {}
-
-  std::byte* data() { return reinterpret_cast<std::byte*>(texels_.data()); }
-  const std::byte* data() const { return reinterpret_cast<const std::byte*>(texels_.data()); }
-  std::size_t bytes() const { return texels_.size() * sizeof(Block); }
+  const std::byte* data() const { return data_; }
 
  private:
   friend class TileCache;
-  struct alignas(16) Block {
-    std::array<std::byte, 16> bytes;
-  };
-  std::vector<Block> texels_;
+  std::byte* data_ = nullptr;
+  std::size_t bytes_ = 0;
   std::uint64_t key_ = 0;
   std::atomic<int> pins_{0};   // who reads it now
   std::atomic<int> lives_{0};  // rounds of the clock that it outlives unread
@@ -52,7 +46,28 @@ class Tile {
 class TileMaker {
  public:
   virtual ~TileMaker() = default;
-  virtual std::unique_ptr<Tile> make(const TileKey& key) const = 0;
+  virtual std::size_t tile_bytes(const TileKey& key) const = 0;  ///< up to kLargestTile
+  virtual void make(const TileKey& key, std::byte* texels) const = 0;
+
+  static constexpr std::size_t kLargestTile = std::size_t{1} << 16;
+};
+
+/// Memory for tiles, in slots whose size is a power of two, cut from blocks that are kept until the end:
+/// tiles come and go by the hundred thousand, and a general heap would be left full of holes.
+class TileMemory {
+ public:
+  /// Bytes that a tile of this size takes.
+  static std::size_t slot_bytes(std::size_t bytes);
+  std::byte* take(std::size_t slot);
+  void give_back(std::byte* memory, std::size_t slot);
+
+ private:
+  static constexpr std::size_t kBlock = std::size_t{1} << 20;
+  struct alignas(64) Line {
+    std::array<std::byte, 64> bytes;
+  };
+  std::vector<std::vector<Line>> blocks_;
+  std::array<std::vector<std::byte*>, 17> free_;  // by the slot's logarithm
 };
 
 /// Tiles of all textures, made when first touched and dropped when they come to more than the bound. Who
@@ -61,6 +76,9 @@ class TileMaker {
 class TileCache {
  public:
   explicit TileCache(std::size_t bound = kDefaultTextureMemory) : bound_(bound) {}
+
+  TileCache(const TileCache&) = delete;
+  TileCache& operator=(const TileCache&) = delete;
 
   /// The tile, pinned; unpin() it when done. `maker` is asked without any lock held, possibly by several
   /// threads at once; what it throws passes through.
@@ -78,10 +96,12 @@ class TileCache {
   Counts counts() const;
 
  private:
+  std::unique_ptr<Tile> make_tile(const TileKey& key, const TileMaker& maker);
   void drop_to_bound();
 
   std::size_t bound_;
   mutable std::shared_mutex mutex_;
+  TileMemory memory_;
   std::unordered_map<std::uint64_t, std::unique_ptr<Tile>> tiles_;
   std::vector<Tile*> clock_;
   std::size_t hand_ = 0;
