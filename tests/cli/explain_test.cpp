@@ -49,7 +49,6 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
   const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "ball.png", "--explain", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const auto parts = parts_of(run.out);
-  EXPECT_EQ(parts.size(), 12u);
   for (const char* name :
        {"half-edges", "textures", "baked textures", "integral tables", "texture tiles", "(u,v) at hits",
         "filtered nodes", "row buffers", "intersection trees", "supersampling", "grid over objects"}) {
@@ -126,7 +125,13 @@ TEST(Statistics, AreWrittenBesideThePicture) {
       workshop.sweepkit({"render", "ball.json", "-o", "p.png", "--size", "20x10", "--stats", "p.json"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(workshop.read("p.json").find("\"eye_rays\": 200,"), std::string::npos) << workshop.read("p.json");
-  EXPECT_EQ(parts_of(workshop.read("p.json")).size(), 11u);
+  const auto names_of = [](const std::map<std::string, Part>& parts) {
+    std::vector<std::string> names;
+    for (const auto& [name, part] : parts) names.push_back(name);
+    return names;
+  };
+  const Outcome plan = workshop.sweepkit({"render", "ball.json", "--explain", "--json"});
+  EXPECT_EQ(names_of(parts_of(workshop.read("p.json"))), names_of(parts_of(plan.out)));
 }
 
 TEST(Object, AloneNeedsNothingOfTheOthers) {
