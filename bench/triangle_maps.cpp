@@ -91,6 +91,7 @@ bench::Comparison compare_times(const char* name) {
   };
   const auto add_map = [&]<class Map>() {
     std::vector<typename Map::template Prepared<Real>> prepared;
+    prepared.reserve(kPairs);
     for (const MapCase<Real>& sample : samples) prepared.push_back(Map::prepare(sample.triangle, kUnit));
     add(Map::kName, [prepared](std::size_t i) {
       return Map::map(prepared[i], samples[i].triangle, kUnit, samples[i].hit);
