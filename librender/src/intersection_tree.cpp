@@ -51,7 +51,7 @@ glm::dvec2 TreeBuilder::texcoord_of(const Hit& hit) const {
   const glm::dvec2 b(mesh.texcoords[triangle[1]]);
   const glm::dvec2 c(mesh.texcoords[triangle[2]]);
   // The paper's case, a right triangle of the texture: two products. Caps have other triangles.
-  if (a.x == b.x && c.y == b.y) return texmap::barycentric_map(texmap::right_triangle(a, b, c), hit.a, hit.c);
+  if (a.x == b.x && c.y == b.y) return texmap::area_ratio_map(texmap::right_triangle(a, b, c), hit.a, hit.c);
   return b + hit.a * (a - b) + hit.c * (c - b);
 }
 

@@ -2,26 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
-#include "sweepkit/texmap/area_ratio_mapping.hpp"
-#include "sweepkit/texmap/cevian_mapping.hpp"
+#include "adversarial_triangles.hpp"
+#include "counting_number.hpp"
+#include "sweepkit/texmap/triangle_maps.hpp"
 
 namespace sweepkit::texmap {
 namespace {
 
-__extension__ using Quad = __float128;
-
 const RightTriangle kUnit{{0, 0}, 1, 1};
 
-struct Case {
-  Triangle3<float> triangle;
-  glm::vec3 hit;
-};
-
 // A triangle and a hit with barycentric coordinates (a, b, c), b up to `largest_b`.
-Case random_case(std::mt19937& random, double largest_b) {
+MapCase<float> random_case(std::mt19937& random, double largest_b) {
   std::uniform_real_distribution<double> unit(0, 1);
   const auto point = [&] { return glm::dvec3(unit(random), unit(random), unit(random)); };
   const glm::dvec3 a = point();
@@ -32,17 +28,17 @@ Case random_case(std::mt19937& random, double largest_b) {
   return {{glm::vec3(a), glm::vec3(b), glm::vec3(c)}, glm::vec3(wa * a + wb * b + (1 - wa - wb) * c)};
 }
 
-glm::vec<2, Quad> exact_map(const Case& sample) {
-  // The definition, |B2Y| = c |B2C2| and |B2X| = a |B2A2| by areas of the projection, with 113 bits.
-  const auto quad = [](const glm::vec3& p) { return glm::vec<3, Quad>(p.x, p.y, p.z); };
-  return area_ratio_map<Quad>({quad(sample.triangle.a), quad(sample.triangle.b), quad(sample.triangle.c)},
-                              kUnit, quad(sample.hit));
+double error_of(const glm::vec2& mapped, const MapCase<float>& sample) {
+  const auto plane = dominant_plane(sample.triangle);
+  const ExactMap exact = exact_map(sample, plane.i, plane.j);
+  return std::max(std::abs(static_cast<double>(mapped.x - exact.c)),
+                  std::abs(static_cast<double>(mapped.y - exact.a)));
 }
 
-double error_of(const glm::vec2& mapped, const Case& sample) {
-  const glm::vec<2, Quad> exact = exact_map(sample);
-  return std::max(std::abs(static_cast<double>(mapped.x - exact.x)),
-                  std::abs(static_cast<double>(mapped.y - exact.y)));
+template <class Real, class From>
+Triangle3<Real> converted(const Triangle3<From>& t) {
+  using Vec = glm::vec<3, Real>;
+  return {Vec(t.a), Vec(t.b), Vec(t.c)};
 }
 
 TEST(RightTriangle, SubdivisionCoversTheTextureOnce) {
@@ -58,34 +54,123 @@ TEST(RightTriangle, SubdivisionCoversTheTextureOnce) {
   EXPECT_EQ(grid.triangle(29).b, glm::dvec2(1, 1));
 }
 
-TEST(Mappings, TakeCornersToCornersAndKeepTheCentroid) {
-  const Triangle3<double> t{{1, 2, 3}, {4, 0, 1}, {2, 5, -1}};
-  const RightTriangle right = right_triangle({0.2, 0.9}, {0.2, 0.1}, {0.8, 0.1});
-  const glm::dvec3 centroid = (t.a + t.b + t.c) / 3.0;
-  const auto expect = [](const glm::dvec2& got, const glm::dvec2& want) {
-    EXPECT_LT(glm::length(got - want), 1e-14);
-  };
-  expect(area_ratio_map(t, right, t.a), {0.2, 0.9});
-  expect(area_ratio_map(t, right, t.b), {0.2, 0.1});
-  expect(area_ratio_map(t, right, t.c), {0.8, 0.1});
-  expect(area_ratio_map(t, right, centroid), glm::dvec2(1.2, 1.1) / 3.0);
-  expect(cevian_map(t, right, centroid), glm::dvec2(1.2, 1.1) / 3.0);
-  expect(cevian_map(t, right, t.a), {0.2, 0.9});
-  expect(barycentric_map(right, 1.0 / 3, 1.0 / 3), glm::dvec2(1.2, 1.1) / 3.0);
+// Runs `check.operator()<Map>()` for every method.
+template <class Check>
+void for_each_map(Check&& check) {
+  const auto run = [&]<class... Maps>(std::tuple<Maps...>) { (check.template operator()<Maps>(), ...); };
+  run(TriangleMaps{});
 }
 
-TEST(Mappings, AgreeOnOrdinaryHits) {
+const Triangle3<double> kTriangle{{1, 2, 3}, {4, 0, 1}, {2, 5, -1}};
+
+TEST(TriangleMaps, TakeCornersToCorners) {
+  const RightTriangle right = right_triangle({0.2, 0.9}, {0.2, 0.1}, {0.8, 0.1});
+  const glm::dvec2 corners[] = {{0.2, 0.9}, {0.2, 0.1}, {0.8, 0.1}};
+  const glm::dvec3 from[] = {kTriangle.a, kTriangle.b, kTriangle.c};
+  const auto check = [&]<class Map>() {
+    for (int k = 0; k < 3; ++k) {
+      // A1 is the doubled vertex, where that map has no value, and C1 a corner that the paper forgot.
+      if (std::is_same_v<Map, DoubledVertexMap> && k == 0) continue;
+      if (std::is_same_v<Map, CevianMap> && k == 2) continue;
+      // A few hundred roundings of 1e-16: the coordinates are up to 5, the triangle's height 4.
+      EXPECT_LT(glm::length(map_once<Map>(kTriangle, right, from[k]) - corners[k]), 1e-13)
+          << Map::kName << " " << k;
+    }
+  };
+  for_each_map(check);
+  EXPECT_EQ(area_ratio_map(right, 1, 0), corners[0]);
+  EXPECT_EQ(area_ratio_map(right, 0, 0), corners[1]);
+  EXPECT_EQ(area_ratio_map(right, 0, 1), corners[2]);
+}
+
+TEST(TriangleMaps, AreTheAffineMapInQuadruplePrecisionExceptTheDoubledVertex) {
+  const RightTriangle right{{0.25, -3}, -0.5, 2};
+  const Triangle3<Quad> t = converted<Quad>(kTriangle);
+  const auto check = [&]<class Map>() {
+    static_assert(TriangleMap<Map, float> && TriangleMap<Map, double> && TriangleMap<Map, Quad> &&
+                  TriangleMap<Map, CountingNumber>);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(0.1, 1);
+    for (int n = 0; n < 100; ++n) {
+      Quad a = unit(random);
+      Quad b = unit(random);
+      Quad c = unit(random);
+      const Quad sum = a + b + c;
+      a /= sum;
+      b /= sum;
+      c /= sum;
+      const glm::vec<3, Quad> hit = t.a * a + t.b * b + t.c * c;
+      const bool is_doubled = std::is_same_v<Map, DoubledVertexMap>;
+      const Quad u = 0.25 - 0.5 * (is_doubled ? c / (b + c) : c);
+      const Quad v = -3 + 2 * a;
+      const glm::vec<2, Quad> mapped = map_once<Map>(t, right, hit);
+      // Quadruple precision has 2e-34; a derivation that is wrong is wrong by far more than 1e-30.
+      EXPECT_LT(std::abs(static_cast<double>(mapped.x - u)), 1e-30) << Map::kName;
+      EXPECT_LT(std::abs(static_cast<double>(mapped.y - v)), 1e-30) << Map::kName;
+    }
+  };
+  for_each_map(check);
+}
+
+TEST(TriangleMaps, KeepTheCentroidExceptTheDoubledVertex) {
+  const RightTriangle right = right_triangle({0.2, 0.9}, {0.2, 0.1}, {0.8, 0.1});
+  for (const CentroidError& error : centroid_errors(kTriangle, right)) {
+    // Half the row that the centroid lies in, instead of a third of the leg: a sixth of it off.
+    const double expected = error.method == DoubledVertexMap::kName ? 0.6 / 6 : 0;
+    EXPECT_NEAR(error.distance, expected, 1e-14) << error.method;
+  }
+}
+
+struct Cost {
+  std::string_view method;
+  OperationCounts prepare, map;
+};
+
+Cost cost_of(std::string_view method) {
+  const auto t = converted<CountingNumber>(kTriangle);
+  const glm::vec<3, CountingNumber> hit(
+      glm::dvec3(0.5 * kTriangle.a + 0.2 * kTriangle.b + 0.3 * kTriangle.c));
+  Cost cost{method, {}, {}};
+  for_each_map([&]<class Map>() {
+    if (Map::kName != method) return;
+    typename Map::template Prepared<CountingNumber> prepared;
+    cost.prepare = count_operations([&] { prepared = Map::prepare(t, kUnit); });
+    cost.map = count_operations([&] { Map::map(prepared, t, kUnit, hit); });
+  });
+  return cost;
+}
+
+TEST(TriangleMaps, CostWhatTheirHeadersSay) {
+  struct Expected {
+    std::string_view method;
+    int prepare, map, square_roots;
+  };
+  // Prepared: by hand from the formulas; area ratios and barycentric spend 7 on the choice of plane.
+  for (const Expected& expected :
+       {Expected{"barycentric", 22, 12, 0}, Expected{"doubled-vertex", 47, 16, 1},
+        Expected{"matrix", 33, 6, 0}, Expected{"cevian", 0, 15, 0}, Expected{"area-ratio", 11, 6, 0}}) {
+    const Cost cost = cost_of(expected.method);
+    EXPECT_EQ(cost.prepare.products(), expected.prepare) << expected.method;
+    EXPECT_EQ(cost.map.products(), expected.map) << expected.method;
+    EXPECT_EQ(cost.map.square_roots, expected.square_roots) << expected.method;
+  }
+}
+
+TEST(AreaRatioMap, NeedsNoMoreProductsThanThePapersSixteen) {
+  const auto t = converted<CountingNumber>(kTriangle);
+  const glm::vec<3, CountingNumber> hit(glm::dvec3(1.5, 2, 1));
+  const OperationCounts counts = count_operations([&] { area_ratio_map(t, kUnit, hit); });
+  EXPECT_EQ(counts.multiplications, 13);
+  EXPECT_EQ(counts.divisions, 2);
+}
+
+TEST(AreaRatioMap, IsTheSamePreparedOrNotUpToRounding) {
   std::mt19937 random(1);
   for (int n = 0; n < 1000; ++n) {
-    const Case sample = random_case(random, 0.5);
-    const auto wide = [](const glm::vec3& p) { return glm::dvec3(p); };
-    const Triangle3<double> t{wide(sample.triangle.a), wide(sample.triangle.b), wide(sample.triangle.c)};
-    const glm::dvec2 stable = area_ratio_map(t, kUnit, wide(sample.hit));
-    const glm::dvec2 paper = cevian_map(t, kUnit, wide(sample.hit));
-    // float32 hits lie off the triangle's plane by 1e-7; the maps project differently and thin triangles
-    // enlarge that.
-    const double thinness = glm::length(glm::cross(t.a - t.b, t.c - t.b));
-    EXPECT_LT(glm::length(stable - paper), 1e-6 / (thinness * thinness) / 0.01) << n;
+    const MapCase<float> sample = random_case(random, 0.5);
+    const glm::vec2 once = area_ratio_map(sample.triangle, kUnit, sample.hit);
+    // Both work in double; they may round to neighbouring floats.
+    EXPECT_LE(glm::length(map_once<AreaRatioMap>(sample.triangle, kUnit, sample.hit) - once), 1.2e-7f);
   }
 }
 
@@ -101,7 +186,7 @@ Failures failures(double largest_b, Map&& map) {
   std::vector<double> errors;
   Failures result;
   for (int n = 0; n < 20000; ++n) {
-    const Case sample = random_case(random, largest_b);
+    const MapCase<float> sample = random_case(random, largest_b);
     const double error = error_of(map(sample), sample);
     if (!std::isfinite(error)) {
       ++result.not_finite;
@@ -116,8 +201,8 @@ Failures failures(double largest_b, Map&& map) {
 }
 
 TEST(CevianMap, FailsNearTheHypotenuseWhereTheStableMapDoesNot) {
-  const auto paper = [](const Case& s) { return cevian_map(s.triangle, kUnit, s.hit); };
-  const auto stable = [](const Case& s) { return area_ratio_map(s.triangle, kUnit, s.hit); };
+  const auto paper = [](const MapCase<float>& s) { return map_once<CevianMap>(s.triangle, kUnit, s.hit); };
+  const auto stable = [](const MapCase<float>& s) { return area_ratio_map(s.triangle, kUnit, s.hit); };
   // The order of magnitude in which eq. 9 loses its figures: 1e-8 anywhere, 1e-4 at b to 1e-4, all at b to
   // 1e-7.
   EXPECT_LT(failures(1, paper).median, 1e-6);
@@ -125,7 +210,7 @@ TEST(CevianMap, FailsNearTheHypotenuseWhereTheStableMapDoesNot) {
   EXPECT_GT(failures(1e-7, paper).median, 1e-2);
   // Without eq. 10-11 for hits on A1C1 eq. 9 is 0/0 wherever both ratios round to 1: a tenth of the hits at b
   // to 1e-7.
-  const auto without_special_case = [](const Case& s) {
+  const auto without_special_case = [](const MapCase<float>& s) {
     const float r_bc = cevian::ratio(s.triangle.a, s.triangle.b, s.triangle.c, s.hit, 0, 1);
     const float r_ba = cevian::ratio(s.triangle.c, s.triangle.b, s.triangle.a, s.hit, 0, 1);
     return glm::vec2((r_bc * r_ba - r_bc) / (r_bc * r_ba - 1), (r_bc * r_ba - r_ba) / (r_bc * r_ba - 1));
@@ -142,8 +227,44 @@ TEST(CevianMap, ItsChoiceOfPlaneFailsOnPlanesThatContainZ) {
   // The plane x = y is neither an x-plane nor a y-plane, and seen along z it is a line: eq. 8 is 0/0 there.
   const Triangle3<double> t{{0, 0, 1}, {0, 0, 0}, {1, 1, 0}};
   const glm::dvec3 hit(0.25, 0.25, 0.25);
-  EXPECT_FALSE(std::isfinite(cevian_map(t, kUnit, hit).x));
+  EXPECT_FALSE(std::isfinite(map_once<CevianMap>(t, kUnit, hit).x));
   EXPECT_LT(glm::length(area_ratio_map(t, kUnit, hit) - glm::dvec2(0.25, 0.25)), 1e-15);
+}
+
+TEST(CevianMap, HasNoValueAtC1) {
+  // The paper takes care of H1 = A1, where r_BC is 0/0, and not of C1, where r_BA is.
+  EXPECT_TRUE(std::isnan(map_once<CevianMap>(kTriangle, kUnit, kTriangle.c).y));
+  EXPECT_EQ(map_once<CevianMap>(kTriangle, kUnit, kTriangle.a), glm::dvec2(0, 1));
+}
+
+TEST(MatrixMap, HasNoValueOnAPlaneThroughTheOrigin) {
+  const Triangle3<double> floor{{0, 0, -1}, {0, 0, 0}, {1, 0, 0}};
+  EXPECT_FALSE(std::isfinite(map_once<MatrixMap>(floor, kUnit, {0.25, 0, -0.5}).x));
+  EXPECT_EQ(map_once<AreaRatioMap>(floor, kUnit, {0.25, 0, -0.5}), glm::dvec2(0.25, 0.5));
+}
+
+TEST(BarycentricMap, LosesTheDigitsThatTheDistanceFromTheOriginTakes) {
+  // 2^20 leaves a float 3 bits behind the point, which are enough for these corners and this hit. The terms
+  // of eq. 2 come to 2^41 and cancel down to 1: nothing is left of 24 bits, and the determinant may be 0.
+  const glm::vec3 away(0x1p20f);
+  const Triangle3<float> t{away + glm::vec3(0, 1, 0), away, away + glm::vec3(1, 0, 0)};
+  const glm::vec3 hit = away + glm::vec3(0.25f, 0.5f, 0);
+  EXPECT_FALSE(glm::length(map_once<BarycentricMap>(t, kUnit, hit) - glm::vec2(0.25f, 0.5f)) < 0.1f);
+  EXPECT_EQ(map_once<AreaRatioMap>(t, kUnit, hit), glm::vec2(0.25f, 0.5f));
+}
+
+TEST(DoubledVertexMap, LosesHalfTheDigitsAtTheDoubledVertexAndAllOnIt) {
+  const auto at = [&](double a) { return a * kTriangle.a + 0.5 * (1 - a) * (kTriangle.b + kTriangle.c); };
+  EXPECT_FALSE(std::isfinite(map_once<DoubledVertexMap>(kTriangle, kUnit, kTriangle.a).x));
+  double largest = 0;
+  for (int n = 1; n <= 100; ++n) {
+    const double a = 1 - 1e-9 * n;
+    const double error = std::abs(map_once<DoubledVertexMap>(kTriangle, kUnit, at(a)).y - a);
+    if (std::isfinite(error)) largest = std::max(largest, error);
+    EXPECT_NEAR(map_once<AreaRatioMap>(kTriangle, kUnit, at(a)).y, a, 1e-15);
+  }
+  // The root of 2^-53 is 1e-8.
+  EXPECT_GT(largest, 1e-9);
 }
 
 TEST(AreaRatioMap, WorksOnEveryAxisPlaneAndThroughTheOrigin) {
@@ -164,8 +285,20 @@ TEST(AreaRatioMap, WorksOnEveryAxisPlaneAndThroughTheOrigin) {
 }
 
 TEST(AreaRatioMap, GivesATriangleWithoutAreaItsRightAngle) {
+  const RightTriangle right{{0.3, 0.4}, 1, 1};
   const Triangle3<double> line{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
-  EXPECT_EQ(area_ratio_map<double>(line, {{0.3, 0.4}, 1, 1}, {1, 1, 1}), glm::dvec2(0.3, 0.4));
+  EXPECT_EQ(area_ratio_map<double>(line, right, {1, 1, 1}), right.b);
+  EXPECT_EQ(map_once<AreaRatioMap>(line, right, {1, 1, 1}), right.b);
+  // Too small and too large for products in double.
+  for (const double size : {1e-150, 1e160}) {
+    const Triangle3<double> t{{0, size, 0}, {0, 0, 0}, {size, 0, 0}};
+    EXPECT_EQ(area_ratio_map<double>(t, right, {size / 4, size / 4, 0}), right.b) << size;
+  }
+  // The sizes that the header promises.
+  for (const double size : {1e-100, 1e140}) {
+    const Triangle3<double> t{{0, size, 0}, {0, 0, 0}, {size, 0, 0}};
+    EXPECT_LT(glm::length(area_ratio_map<double>(t, kUnit, {size / 4, size / 4, 0}) - 0.25), 1e-15) << size;
+  }
 }
 
 }  // namespace
