@@ -26,7 +26,8 @@ struct FilterScratch {
   std::vector<Span> spans;
 
   TileReader tables;  ///< their tiles are thrice as large
-  PieceScratch pieces;
+  std::vector<AxisPiece> across;
+  std::vector<AxisPiece> down;
 
   explicit FilterScratch(TileCache& cache) : tiles(cache, 128), tables(cache, 32) {}
 };

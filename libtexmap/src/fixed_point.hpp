@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "texel.hpp"
@@ -14,16 +13,18 @@ namespace sweepkit::texmap {
 /// integer texels are differences from one texel of the image, so that a constant image is all zeros; they
 /// may be negative, which unsigned words that wrap round take as they are.
 struct FixedPoint {
-  std::array<double, 3> origin{};
-  std::array<double, 3> step{};
-  std::array<std::uint64_t, 3> base{};  ///< integer texels: what is taken off
-  std::array<double, 3> scale{};        ///< float texels: 1 / step, 0 where all are alike
-  int bits = 16;                        ///< words are less than 2^bits in magnitude
+  std::array<double, 3> origin{};        ///< the colour of word 0
+  std::array<double, 3> step{};          ///< of a word
+  std::array<double, 3> zero{};          ///< the texel whose word is 0
+  std::array<double, 3> scale{1, 1, 1};  ///< words a unit of a texel; 0 where float texels are all alike
+  int bits = 16;                         ///< words are less than 2^bits in magnitude
 
-  std::uint64_t word(IntegerTexel texel, std::size_t channel) const { return texel[channel] - base[channel]; }
+  std::uint64_t word(IntegerTexel texel, std::size_t channel) const {
+    return texel[channel] - static_cast<std::uint64_t>(zero[channel]);
+  }
   std::uint64_t word(FloatTexel texel, std::size_t channel) const {
     // Means of coarser levels are rounded to float and may leave the range by that.
-    const double value = (static_cast<double>(texel[channel]) - origin[channel]) * scale[channel];
+    const double value = (static_cast<double>(texel[channel]) - zero[channel]) * scale[channel];
     return value > 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(value + 0.5)) : 0;
   }
 };

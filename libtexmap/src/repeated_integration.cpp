@@ -33,6 +33,9 @@ namespace {
 constexpr double kFarthest = 4503599627370496.0;  // 2^52
 constexpr double kPixelVariance = 1.0 / 6;        // of a tent of one pixel each way
 constexpr int kMostParts = 4;
+constexpr int kFewTexels = 144;
+
+using Double4 = double __attribute__((vector_size(32)));
 
 // The longest piece whose sums a signed word holds.
 int longest_piece(int order, int bits) {
@@ -74,20 +77,39 @@ void add_block(const IntegralTable& table, const AxisPiece& across, const AxisPi
   const auto distance = [](const AxisPiece& piece, std::size_t at) {
     return static_cast<std::uint64_t>(piece.column[at] - piece.column[order - 1]);
   };
-  // Down: whole rows at once. The rows of the anchor are zero from here on.
+  // Down: whole rows at once; the anchor's rows are zero from here on. `next` is what takes `continued` one
+  // row on, and only a gap between rows costs a multiplication.
   const auto row_words = 3 * columns;
   const std::uint64_t* last = sums[order - 1].front().data();
   const std::uint64_t* before = sums[std::max(order - 2, 0)].front().data();
   const std::uint64_t* first = sums[0].front().data();
+  std::array<std::uint64_t, 3 * kMost> slope;
+  std::array<std::uint64_t, 3 * kMost> bend;
+  std::array<std::uint64_t, 3 * kMost> next;
+  std::array<std::uint64_t, 3 * kMost> continued;
+  for (std::size_t at = 0; at < row_words; ++at) {
+    slope[at] = last[at] - before[at];
+    bend[at] = slope[at] - before[at] + first[at];
+  }
   for (std::size_t r = order; r < rows; ++r) {
     std::uint64_t* row = sums[r].front().data();
     const std::uint64_t d = distance(down, r);
+    if (r > order && d == distance(down, r - 1) + 1) {
+      for (std::size_t at = 0; at < row_words; ++at) {
+        if constexpr (order >= 2) continued[at] += next[at];
+        if constexpr (order == 3) next[at] += bend[at];
+        row[at] -= continued[at];
+      }
+      continue;
+    }
     const std::uint64_t dd = d * (d + 1) / 2;
     for (std::size_t at = 0; at < row_words; ++at) {
-      std::uint64_t continued = last[at];
-      if constexpr (order >= 2) continued += d * (last[at] - before[at]);
-      if constexpr (order == 3) continued += dd * (last[at] - 2 * before[at] + first[at]);
-      row[at] -= continued;
+      continued[at] = last[at];
+      if constexpr (order >= 2) continued[at] += d * slope[at];
+      if constexpr (order == 3) continued[at] += dd * bend[at];
+      next[at] = slope[at];
+      if constexpr (order == 3) next[at] += (d + 1) * bend[at];
+      row[at] -= continued[at];
     }
   }
   // Across, and weigh.
@@ -101,13 +123,13 @@ void add_block(const IntegralTable& table, const AxisPiece& across, const AxisPi
     const auto& row = sums[r];
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint64_t sum = row[order - 1][k];
-      const std::uint64_t slope = sum - row[std::max(order - 2, 0)][k];
-      const std::uint64_t bend = slope - row[std::max(order - 2, 0)][k] + row[0][k];
+      const std::uint64_t by_one = sum - row[std::max(order - 2, 0)][k];
+      const std::uint64_t by_two = by_one - row[std::max(order - 2, 0)][k] + row[0][k];
       double weighed = 0;
       for (std::size_t c = order; c < columns; ++c) {
         std::uint64_t value = row[c][k] - sum;
-        if constexpr (order >= 2) value -= d[c] * slope;
-        if constexpr (order == 3) value -= dd[c] * bend;
+        if constexpr (order >= 2) value -= d[c] * by_one;
+        if constexpr (order == 3) value -= dd[c] * by_two;
         weighed += across.weight[c] * static_cast<double>(static_cast<std::int64_t>(value));
       }
       total[k] += down.weight[r] * weighed;
@@ -120,7 +142,7 @@ FixedPoint fixed_point_of(const Pyramid& pyramid, int order) {
   if (!pyramid.is_float()) {
     const IntegerTexel first = pyramid.read<IntegerTexel>(0, {0, 0, 1, 1}).front();
     for (std::size_t k = 0; k < 3; ++k) {
-      fixed.base[k] = first[k];
+      fixed.zero[k] = first[k];
       fixed.origin[k] = first[k] / 65535.0;
       fixed.step[k] = 1 / 65535.0;
     }
@@ -142,8 +164,8 @@ FixedPoint fixed_point_of(const Pyramid& pyramid, int order) {
     }
   }
   for (std::size_t k = 0; k < 3; ++k) {
-    fixed.origin[k] = static_cast<double>(low[k]);
-    const double range = static_cast<double>(high[k]) - fixed.origin[k];
+    fixed.origin[k] = fixed.zero[k] = low[k];
+    const double range = static_cast<double>(high[k]) - fixed.zero[k];
     fixed.step[k] = range / (std::exp2(fixed.bits) - 1);
     fixed.scale[k] = range > 0 ? (std::exp2(fixed.bits) - 1) / range : 0;
   }
@@ -177,24 +199,23 @@ const RepeatedIntegration::Tables& RepeatedIntegration::tables() const {
   return tables_;
 }
 
-glm::vec3 RepeatedIntegration::over_pixel(const Footprint& footprint, TileReader& tiles,
-                                          PieceScratch& scratch) const {
+glm::vec3 RepeatedIntegration::over_pixel(const Footprint& footprint, FilterScratch& scratch) const {
   const glm::dvec2 size(pyramid_.level(0).width, pyramid_.level(0).height);
   // n boxes of width w have a variance of n w^2 / 12, a pixel kPixelVariance times its steps' squares.
   const double scale = std::sqrt(12 * kPixelVariance / order_);
   const auto along = [&](double middle, double dx, double dy, double texels) {
-    const double width = scale * texels * std::hypot(dx, dy);
+    const double width = scale * texels * std::sqrt(dx * dx + dy * dy);
     return SplineInterval{middle * texels - 0.5 * order_ * width, width};
   };
   return filter(along(footprint.uv.x, footprint.dx.x, footprint.dy.x, size.x),
-                along(1 - footprint.uv.y, footprint.dx.y, footprint.dy.y, size.y), tiles, scratch);
+                along(1 - footprint.uv.y, footprint.dx.y, footprint.dy.y, size.y), scratch);
 }
 
-glm::vec3 RepeatedIntegration::over_box(const UvBox& box, TileReader& tiles, PieceScratch& scratch) const {
+glm::vec3 RepeatedIntegration::over_box(const UvBox& box, FilterScratch& scratch) const {
   const glm::dvec2 size(pyramid_.level(0).width, pyramid_.level(0).height);
   const auto along = [&](double from, double to) { return SplineInterval{from, (to - from) / order_}; };
   return filter(along(box.min.x * size.x, box.max.x * size.x),
-                along((1 - box.max.y) * size.y, (1 - box.min.y) * size.y), tiles, scratch);
+                along((1 - box.max.y) * size.y, (1 - box.min.y) * size.y), scratch);
 }
 
 int RepeatedIntegration::level_for(const SplineInterval& x, const SplineInterval& y, int longest) const {
@@ -213,8 +234,52 @@ int RepeatedIntegration::level_for(const SplineInterval& x, const SplineInterval
   return level;
 }
 
-glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, TileReader& tiles,
-                                      PieceScratch& scratch) const {
+// The texels themselves. In words, as a table gives them.
+template <class Texel>
+std::array<double, 3> RepeatedIntegration::weigh(const SplineInterval& x, const SplineInterval& y,
+                                                 FilterScratch& scratch) const {
+  std::array<double, kFewTexels> across;
+  std::array<double, kFewTexels> down;
+  const auto cut = [&](SplineInterval interval, int size, std::array<double, kFewTexels>& weights,
+                       std::vector<AxisRun>& runs) {
+    const double support = order_ * interval.width;
+    if (wrap_ == Wrap::kClamp) {
+      interval.left = std::clamp(interval.left, -support - 1, size + 1.0);
+    } else {
+      const double period = wrap_ == Wrap::kMirror ? 2.0 * size : size;
+      interval.left -= period * std::floor(interval.left / period);
+    }
+    const int first = static_cast<int>(std::floor(interval.left));
+    const int last = static_cast<int>(std::ceil(interval.left + support)) - 1;
+    weigh_texels(interval, order_, first, {weights.data(), static_cast<std::size_t>(last - first + 1)});
+    cut_into_runs(first, last, size, wrap_, runs);
+    return first;
+  };
+  const int first_column = cut(x, pyramid_.level(0).width, across, scratch.columns);
+  const int first_row = cut(y, pyramid_.level(0).height, down, scratch.rows);
+  Double4 origin;
+  Double4 sum = {};
+  for (std::size_t k = 0; k < 3; ++k) origin[k] = tables_.fixed_point.zero[k];
+  origin[3] = 0;
+  for (const AxisRun& rows : scratch.rows) {
+    for (const AxisRun& columns : scratch.columns) {
+      const Texel* tile = pyramid_.tile<Texel>(scratch.tiles, 0, columns.tile, rows.tile);
+      for (int j = 0; j < rows.count; ++j) {
+        const Texel* texel = tile + (rows.offset + j * rows.step) * kTileSide + columns.offset;
+        const double* weight = across.data() + (columns.first - first_column);
+        Double4 row = {};
+        for (int i = 0; i < columns.count; ++i, texel += columns.step)
+          row += weight[i] * (__builtin_convertvector(*texel, Double4) - origin);
+        sum += down[static_cast<std::size_t>(rows.first + j - first_row)] * row;
+      }
+    }
+  }
+  std::array<double, 3> words;
+  for (std::size_t k = 0; k < 3; ++k) words[k] = sum[k] * tables_.fixed_point.scale[k];
+  return words;
+}
+
+glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, FilterScratch& scratch) const {
   const Tables& made = tables();
   const auto color_of = [&](const std::array<double, 3>& sum) {
     glm::dvec3 color;
@@ -239,6 +304,10 @@ glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, TileRe
   }
   x = widened(x, order_);
   y = widened(y, order_);
+  if (std::ceil(order_ * x.width + 1) * std::ceil(order_ * y.width + 1) <= kFewTexels) {
+    return color_of(pyramid_.is_float() ? weigh<FloatTexel>(x, y, scratch)
+                                        : weigh<IntegerTexel>(x, y, scratch));
+  }
   const int index = level_for(x, y, made.longest);
   const Pyramid::Level& size = pyramid_.level(index);
   const auto scaled = [](const SplineInterval& interval, int texels, int finest_texels) {
@@ -253,9 +322,9 @@ glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, TileRe
   table.carries();
   for (const AxisPiece& down : scratch.down) {
     for (const AxisPiece& across : scratch.across) {
-      if (order_ == 1) add_block<1>(table, across, down, tiles, words);
-      if (order_ == 2) add_block<2>(table, across, down, tiles, words);
-      if (order_ == 3) add_block<3>(table, across, down, tiles, words);
+      if (order_ == 1) add_block<1>(table, across, down, scratch.tables, words);
+      if (order_ == 2) add_block<2>(table, across, down, scratch.tables, words);
+      if (order_ == 3) add_block<3>(table, across, down, scratch.tables, words);
     }
   }
   return color_of(words);

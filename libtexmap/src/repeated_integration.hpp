@@ -8,6 +8,7 @@
 #include <mutex>
 #include <vector>
 
+#include "filter_scratch.hpp"
 #include "integral_table.hpp"
 #include "pyramid.hpp"
 #include "spline_pieces.hpp"
@@ -25,11 +26,11 @@ class RepeatedIntegration {
   RepeatedIntegration(const Pyramid& pyramid, Wrap wrap, int order, TileCache& cache, std::uint32_t id);
 
   /// Over a pixel: n boxes with the variance of a tent of one pixel each way along u and along v.
-  glm::vec3 over_pixel(const Footprint& footprint, TileReader& tiles, PieceScratch& scratch) const;
+  glm::vec3 over_pixel(const Footprint& footprint, FilterScratch& scratch) const;
 
   /// With a box as support: n boxes of an n-th of it; for n = 1 its mean. Boxes that are infinite, NaN or
   /// beyond 2^52 texels give the mean of the whole texture.
-  glm::vec3 over_box(const UvBox& box, TileReader& tiles, PieceScratch& scratch) const;
+  glm::vec3 over_box(const UvBox& box, FilterScratch& scratch) const;
 
   /// Memory held besides tiles, once no lookup is going on.
   std::size_t bytes() const;
@@ -41,7 +42,9 @@ class RepeatedIntegration {
     std::vector<std::unique_ptr<const IntegralTable>> levels;
   };
   const Tables& tables() const;
-  glm::vec3 filter(SplineInterval x, SplineInterval y, TileReader& tiles, PieceScratch& scratch) const;
+  template <class Texel>
+  std::array<double, 3> weigh(const SplineInterval& x, const SplineInterval& y, FilterScratch& scratch) const;
+  glm::vec3 filter(SplineInterval x, SplineInterval y, FilterScratch& scratch) const;
   int level_for(const SplineInterval& x, const SplineInterval& y, int longest) const;
 
   const Pyramid& pyramid_;

@@ -151,7 +151,8 @@ void cut_into_pieces(const SplineInterval& interval, int order, int size, Wrap w
                      std::vector<AxisPiece>& pieces) {
   pieces.clear();
   auto [left, width] = interval;
-  const double scale = std::pow(width, -order);
+  double scale = 1;
+  for (int i = 0; i < order; ++i) scale /= width;
   if (wrap == Wrap::kClamp) {
     const double before = spline_integral(order, -left / width);
     const double after = spline_integral(order, order - (size - left) / width);
@@ -180,6 +181,15 @@ void cut_into_pieces(const SplineInterval& interval, int order, int size, Wrap w
     const double begin = static_cast<double>(copy) * size;
     add_spline_inside({is_mirrored ? begin + size - right : left - begin, width}, scale, order, size, longest,
                       pieces);
+  }
+}
+
+void weigh_texels(const SplineInterval& interval, int order, int first, std::span<double> weights) {
+  double before = spline_integral(order, (first - interval.left) / interval.width);
+  for (double& weight : weights) {
+    const double after = spline_integral(order, (++first - interval.left) / interval.width);
+    weight = after - before;
+    before = after;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sweepkit/texmap/texture.hpp"
@@ -42,15 +43,12 @@ struct AxisPiece {
   std::array<ColumnRun, kMostColumns> runs{};
 };
 
-/// Where a thread cuts its axes.
-struct PieceScratch {
-  std::vector<AxisPiece> across;
-  std::vector<AxisPiece> down;
-};
-
 /// Cuts an axis of `size` texels under its wrap into pieces of at most `longest` texels whose weighed sums
 /// add up to the filter's value. `interval` lies within 2^52 texels.
 void cut_into_pieces(const SplineInterval& interval, int order, int size, Wrap wrap, int longest,
                      std::vector<AxisPiece>& pieces);
+
+/// The filter's weights of texels first, first + 1, ...
+void weigh_texels(const SplineInterval& interval, int order, int first, std::span<double> weights);
 
 }  // namespace sweepkit::texmap

@@ -55,7 +55,7 @@ glm::vec3 TextureSampler::sample(const Footprint& footprint, FilterThread& threa
     case Filter::kIntegral1:
     case Filter::kIntegral2:
     case Filter::kIntegral3:
-      return prepared_->integrals->over_pixel(footprint, thread.scratch_->tables, thread.scratch_->pieces);
+      return prepared_->integrals->over_pixel(footprint, *thread.scratch_);
     case Filter::kEwa:
       return elliptical_average(*prepared_->pyramid, wrap, footprint, *thread.scratch_);
     case Filter::kAuto:
@@ -69,7 +69,7 @@ glm::vec3 TextureSampler::sample(const Footprint& footprint, FilterThread& threa
 }
 
 glm::vec3 TextureSampler::over_box(const UvBox& box, FilterThread& thread) const {
-  return prepared_->integrals->over_box(box, thread.scratch_->tables, thread.scratch_->pieces);
+  return prepared_->integrals->over_box(box, *thread.scratch_);
 }
 
 std::size_t TextureSampler::table_bytes() const {
