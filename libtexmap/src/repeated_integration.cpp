@@ -8,12 +8,13 @@
 //   S(i) = D(i) - sum_m C(i - a + m - 1, m) D^m(a),  m = 0..n-1,
 // along y and then along x, takes off what the texels before a have left in column i. This is exact however
 // often the words have wrapped; then S is converted to double and weighed. |S| < 2^bits C(L+n-1, n)^2 for a
-// box of L texels must stay below 2^63: with 16-bit texels L is 11,863,281, 4,868 and 411 for n = 1, 2, 3.
+// box of L texels must stay below 2^63: with 16-bit texels L is 11.8 million, 4,868 and 411 for n = 1, 2, 3.
 // Longer pieces are cut, each with sums of its own: exact for any box, in a time that grows with the cuts.
-//   Past kMostParts cuts along an axis the finest level of the pyramid that needs no more is read instead. It
-// differs by the levels' rounding, half a 16-bit level each at most, and by weighing 2^l texels alike where
-// the spline would not: a box there is hundreds of texels wide still, so that comes to a thousandth of what
-// the texture varies within a texel of the level.
+//   A box that would take more than kMostParts pieces (order 3: past w = 685 a side, or 4,384 by 137) reads
+//   the
+// finest level of the pyramid where it does not. That differs by the levels' rounding, half a 16-bit step
+// each at most, and by weighing 2^l texels alike where the spline would not: a box is hundreds of texels of
+// the level wide, so a thousandth of what the texture varies within one of them.
 //   Float texels become integers over the image's range: 2^32 steps for n = 1 and 2, 2^28 for n = 3.
 //
 // Symbols: D^m the m-th backward difference of D; a where a piece begins.
@@ -32,7 +33,7 @@ namespace {
 // the answer.
 constexpr double kFarthest = 4503599627370496.0;  // 2^52
 constexpr double kPixelVariance = 1.0 / 6;        // of a tent of one pixel each way
-constexpr int kMostParts = 4;
+constexpr int kMostParts = 32;                    // that a box is cut into for the word, both axes together
 constexpr int kFewTexels = 144;
 
 using Double4 = double __attribute__((vector_size(32)));
@@ -221,14 +222,15 @@ glm::vec3 RepeatedIntegration::over_box(const UvBox& box, FilterScratch& scratch
 int RepeatedIntegration::level_for(const SplineInterval& x, const SplineInterval& y, int longest) const {
   const Pyramid::Level& finest = pyramid_.level(0);
   // What is left to sum along an axis once whole periods, or what lies outside, are means.
-  const auto is_short = [&](double width, int size, int finest_size) {
-    const double most = wrap_ == Wrap::kClamp ? size : 2.0 * order_ * size;
-    return std::min(order_ * width * size / finest_size, most) <= 1.0 * kMostParts * longest;
+  const auto parts = [&](double width, int size, int finest_size) {
+    const double most = wrap_ == Wrap::kClamp ? size : (wrap_ == Wrap::kMirror ? 2.0 : 1.0) * order_ * size;
+    return std::ceil(std::min(order_ * width * size / finest_size, most) / longest);
   };
   int level = 0;
   while (level + 1 < pyramid_.level_count()) {
     const Pyramid::Level& size = pyramid_.level(level);
-    if (is_short(x.width, size.width, finest.width) && is_short(y.width, size.height, finest.height)) break;
+    if (parts(x.width, size.width, finest.width) * parts(y.width, size.height, finest.height) <= kMostParts)
+      break;
     ++level;
   }
   return level;

@@ -71,25 +71,37 @@ Number texel(const Image& image, std::int64_t x, std::int64_t y, int channel) {
   return static_cast<Number>(std::get<std::vector<float>>(image.texels)[at]);
 }
 
+/// The texels of an axis that a box touches and what they weigh, those that the wrap brings back added up.
+template <class Number>
+std::vector<std::pair<std::int64_t, Number>> weighed_texels(double left, double width, int n, int size,
+                                                            Wrap wrap) {
+  const auto first = static_cast<std::int64_t>(std::floor(left));
+  const auto count = static_cast<std::int64_t>(std::ceil(left + n * width)) - first;
+  const std::vector<Number> weights =
+      spline_weights<Number>(static_cast<Number>(left), static_cast<Number>(width), n, first, count);
+  std::vector<std::pair<std::int64_t, Number>> texels;
+  if (count <= size) {
+    for (std::int64_t i = 0; i < count; ++i)
+      texels.push_back({wrapped(first + i, size, wrap), weights[static_cast<std::size_t>(i)]});
+    return texels;
+  }
+  for (std::int64_t i = 0; i < size; ++i) texels.push_back({i, 0});
+  for (std::int64_t i = 0; i < count; ++i)
+    texels[static_cast<std::size_t>(wrapped(first + i, size, wrap))].second +=
+        weights[static_cast<std::size_t>(i)];
+  return texels;
+}
+
 /// (n!)^2 w^n h^n times the filtered value, in the texels' own numbers.
 template <class Number>
 Number weighed_sum(const Image& image, Wrap wrap, const Box& box, int n, int channel) {
-  const auto x0 = static_cast<std::int64_t>(std::floor(box.x));
-  const auto y0 = static_cast<std::int64_t>(std::floor(box.y));
-  const auto columns = static_cast<std::int64_t>(std::ceil(box.x + n * box.width)) - x0;
-  const auto rows = static_cast<std::int64_t>(std::ceil(box.y + n * box.height)) - y0;
-  const std::vector<Number> across =
-      spline_weights<Number>(static_cast<Number>(box.x), static_cast<Number>(box.width), n, x0, columns);
-  const std::vector<Number> down =
-      spline_weights<Number>(static_cast<Number>(box.y), static_cast<Number>(box.height), n, y0, rows);
+  const auto across = weighed_texels<Number>(box.x, box.width, n, image.width, wrap);
+  const auto down = weighed_texels<Number>(box.y, box.height, n, image.height, wrap);
   Number sum = 0;
-  for (std::int64_t j = 0; j < rows; ++j) {
-    const std::int64_t y = wrapped(y0 + j, image.height, wrap);
+  for (const auto& [y, height] : down) {
     Number row = 0;
-    for (std::int64_t i = 0; i < columns; ++i)
-      row += across[static_cast<std::size_t>(i)] *
-             texel<Number>(image, wrapped(x0 + i, image.width, wrap), y, channel);
-    sum += down[static_cast<std::size_t>(j)] * row;
+    for (const auto& [x, width] : across) row += width * texel<Number>(image, x, y, channel);
+    sum += height * row;
   }
   return sum;
 }
@@ -102,6 +114,13 @@ double value(const Image& image, Wrap wrap, const Box& box, int n, int channel) 
   Quad scale = kFactorials[n] * kFactorials[n];
   for (int i = 0; i < n; ++i) scale *= static_cast<Quad>(box.width) * static_cast<Quad>(box.height);
   return static_cast<double>(static_cast<Quad>(sum) / (scale * (image.is_float() ? 1 : 65535)));
+}
+
+/// Half a step of the float that is nearest to a value in [0, 1]: how far that may be away. What a double
+/// adds by its own rounding is in the last digits.
+inline double half_step(double want) {
+  const double step = std::ldexp(1.0, std::max(std::ilogb(std::max(want, 1e-30)), -126) - 23);
+  return 0.5000001 * step;
 }
 
 inline Image random_image(int width, int height, unsigned seed, bool is_float = false) {
