@@ -238,6 +238,8 @@ int main(int argc, char** argv) {
                                          {"bilinear", Filter::kBilinear},
                                          {"trilinear", Filter::kTrilinear},
                                          {"integral-1", Filter::kIntegral1},
+                                         {"integral-2", Filter::kIntegral2},
+                                         {"integral-3", Filter::kIntegral3},
                                          {"ewa", Filter::kEwa},
                                          {"auto", Filter::kAuto},
                                          {"openimageio-16", std::nullopt, 16},

@@ -36,15 +36,12 @@ double seconds_since(Clock::time_point start) {
 }
 
 Samplers make_samplers(const scene::Scene& scene, const scene::Plan& plan, texmap::Filter filter,
-                       texmap::TileCache& tiles, scene::Ledger& ledger) {
+                       texmap::TileCache& tiles) {
   Samplers samplers(scene.textures.size());
   for (std::size_t i = 0; i < samplers.size(); ++i) {
     if (!plan.sampled[i]) continue;
     samplers[i].emplace(std::get<texmap::ImageTexture>(scene.textures[i]), filter, tiles,
                         static_cast<std::uint32_t>(i));
-    if (!texmap::reads_table(filter)) continue;
-    ledger[scene::Part::kTables].bytes += samplers[i]->table_bytes();
-    ledger[scene::Part::kTables].calls += 1;
   }
   return samplers;
 }
@@ -120,7 +117,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
 
   start = Clock::now();
   texmap::TileCache tiles(memory_for_tiles(scene, plan));
-  const Samplers samplers = make_samplers(scene, plan, options.filter, tiles, picture.ledger);
+  const Samplers samplers = make_samplers(scene, plan, options.filter, tiles);
   statistics.table_seconds = seconds_since(start);
 
   start = Clock::now();
@@ -164,7 +161,10 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   statistics.textured_nodes = total.shading.textured;
   statistics.shade_thread_seconds = total.shade_seconds;
   fill_ledger(picture.ledger, total, tracer);
-  picture.ledger[scene::Part::kTiles] = {tiles.counts().peak_bytes, tiles.counts().made};
+  std::size_t sums = 0;
+  for (const auto& sampler : samplers) sums += sampler ? sampler->table_bytes() : 0;
+  picture.ledger[texmap::reads_table(options.filter) ? scene::Part::kTables : scene::Part::kTiles] = {
+      tiles.counts().peak_bytes + sums, tiles.counts().made};
   return picture;
 }
 

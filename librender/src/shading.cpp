@@ -106,7 +106,8 @@ std::optional<glm::vec3> Shader::filtered(const RowWindow& rows, const Neighbour
         around[count++] = *uv;
       }
     }
-    if (texmap::reads_table(filter_)) return sampler.mean(texmap::neighbour_box(hit, around, period));
+    if (texmap::reads_table(filter_))
+      return sampler.over_box(texmap::neighbour_box(hit, around, period), filter);
   }
   const texmap::Beside beside{neighbour(1, 0), neighbour(1, 2), neighbour(0, 1), neighbour(2, 1)};
   const std::optional<texmap::Footprint> footprint = texmap::footprint_from(hit, beside, period);

@@ -57,7 +57,7 @@ texmap::Texture load_texture(const TextureEntry& entry, const Plan& plan, ImageS
   }
   const auto& source = std::get<ImageEntry>(entry.source);
   try {
-    if (plan.needs_part(Part::kTiles)) {
+    if (plan.needs_part(Part::kTiles) || plan.needs_part(Part::kTables)) {
       auto file = texmap::open_image(source.file, source.color_space, plan.texture_memory);
       cost.calls += 1;
       cost.bytes += texmap::bytes_held(*file);

@@ -14,7 +14,8 @@
 #include <string>
 
 #include "sweepkit/error.hpp"
-#include "sweepkit/texmap/summed_area_table.hpp"
+#include "sweepkit/texmap/texture_sampler.hpp"
+#include "sweepkit/texmap/tile_cache.hpp"
 
 namespace sweepkit::texmap {
 namespace {
@@ -63,11 +64,14 @@ Image bake_unit_square(const Texture& texture, int width, int height) {
   Canvas canvas = make_canvas(width, height);
   const glm::dvec2 size(width, height);
   if (const auto* image = std::get_if<ImageTexture>(&texture)) {
-    const SummedAreaTable table(*image->image, image->wrap);
+    TileCache tiles;
+    FilterThread thread(tiles);
+    const TextureSampler sampler(*image, Filter::kIntegral1, tiles, 0);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         canvas.set(x, y,
-                   table.mean({glm::dvec2(x, height - y - 1) / size, glm::dvec2(x + 1, height - y) / size}));
+                   sampler.over_box(
+                       {glm::dvec2(x, height - y - 1) / size, glm::dvec2(x + 1, height - y) / size}, thread));
       }
     }
     return std::move(canvas.image);

@@ -3,14 +3,8 @@
 //
 // Images that are too large to be read whole.
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -18,6 +12,7 @@
 #include "srgb.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/texmap/image_file.hpp"
+#include "temporary_file.hpp"
 #include "texel_source.hpp"
 
 namespace sweepkit::texmap {
@@ -97,37 +92,23 @@ class TiledFile : public TexelSource {
   std::size_t cache_bytes_;
 };
 
-[[noreturn]] void fail_to_spill(const std::filesystem::path& file, const std::filesystem::path& folder) {
-  throw OutputError("cannot unpack " + file.string() + " into a temporary file in " + folder.string() + ": " +
-                    std::strerror(errno) +
-                    "; make room, set TMPDIR to another folder, or give more --texture-memory");
-}
-
-// An image unpacked into a file without a name, texel after texel as they are handed out.
+// An image unpacked into a temporary file, texel after texel as they are handed out.
 class UnpackedFile : public TexelSource {
  public:
   UnpackedFile(Decoding decoding, int width, int height, bool is_float)
-      : decoding_(std::move(decoding)), width_(width), height_(height), is_float_(is_float) {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path();
-    std::string name = (folder / "sweepkit-XXXXXX").string();
-    file_ = ::mkostemp(name.data(), O_CLOEXEC);
-    if (file_ < 0) fail_to_spill(decoding_.file, folder);
-    ::unlink(name.c_str());
+      : decoding_(std::move(decoding)),
+        width_(width),
+        height_(height),
+        is_float_(is_float),
+        unpacked_(decoding_.file.string()) {
     const TakeRows take_rows = [](void* context, int first, int count, const void* samples) {
       return static_cast<UnpackedFile*>(context)->take(first, count, samples);
     };
     const std::string problem = image_module().read_rows(decoding_.file.string(), take_rows, this);
     // Exceptions do not cross the module.
-    if (failure_) {
-      ::close(file_);
-      std::rethrow_exception(failure_);
-    }
-    if (!problem.empty()) ::close(file_);
+    if (failure_) std::rethrow_exception(failure_);
     throw_if_unreadable(decoding_.file, problem);
   }
-  ~UnpackedFile() override { ::close(file_); }
-  UnpackedFile(const UnpackedFile&) = delete;
-  UnpackedFile& operator=(const UnpackedFile&) = delete;
 
   int width() const override { return width_; }
   int height() const override { return height_; }
@@ -140,9 +121,9 @@ class UnpackedFile : public TexelSource {
   std::string take(int first, int count, const void* samples) {
     try {
       if (is_float_) {
-        write<FloatTexel>(first, count, static_cast<const float*>(samples));
+        append<FloatTexel>(first, count, static_cast<const float*>(samples));
       } else {
-        write<IntegerTexel>(first, count, static_cast<const std::uint16_t*>(samples));
+        append<IntegerTexel>(first, count, static_cast<const std::uint16_t*>(samples));
       }
       return {};
     } catch (...) {
@@ -152,36 +133,19 @@ class UnpackedFile : public TexelSource {
   }
 
   template <class Texel, class Sample>
-  void write(int first, int count, const Sample* samples) {
+  void append(int first, int count, const Sample* samples) {
     std::vector<Texel> texels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(count));
     decoding_.decode(samples, {0, first, width_, count}, texels);
-    const auto* from = reinterpret_cast<const char*>(texels.data());
-    std::size_t left = texels.size() * sizeof(Texel);
-    while (left > 0) {
-      const ssize_t written = ::write(file_, from, left);
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) fail_to_spill(decoding_.file, std::filesystem::temp_directory_path());
-      from += written;
-      left -= static_cast<std::size_t>(written);
-    }
+    unpacked_.append(std::as_bytes(std::span(texels)));
   }
 
   template <class Texel>
   void read_as(const PixelRect& rect, std::span<Texel> texels) const {
     for (int y = 0; y < rect.height; ++y) {
-      auto* to = reinterpret_cast<char*>(texels.data() + std::ptrdiff_t{y} * rect.width);
-      std::size_t left = static_cast<std::size_t>(rect.width) * sizeof(Texel);
-      auto at = static_cast<off_t>((std::int64_t{rect.y + y} * width_ + rect.x) *
-                                   static_cast<std::int64_t>(sizeof(Texel)));
-      while (left > 0) {
-        const ssize_t got = ::pread(file_, to, left, at);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0)
-          throw OutputError("the temporary file of " + decoding_.file.string() + " cannot be read");
-        to += got;
-        at += got;
-        left -= static_cast<std::size_t>(got);
-      }
+      const auto row = texels.subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(rect.width),
+                                      static_cast<std::size_t>(rect.width));
+      const std::int64_t first = std::int64_t{rect.y + y} * width_ + rect.x;
+      unpacked_.read(first * static_cast<std::int64_t>(sizeof(Texel)), std::as_writable_bytes(row));
     }
   }
 
@@ -189,7 +153,7 @@ class UnpackedFile : public TexelSource {
   int width_;
   int height_;
   bool is_float_;
-  int file_ = -1;
+  TemporaryFile unpacked_;
   std::exception_ptr failure_;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "axis_runs.hpp"
+#include "spline_pieces.hpp"
 #include "sweepkit/texmap/tile_cache.hpp"
 
 namespace sweepkit::texmap {
@@ -24,7 +25,11 @@ struct FilterScratch {
   std::vector<AxisRun> rows;
   std::vector<Span> spans;
 
-  explicit FilterScratch(TileCache& cache) : tiles(cache) {}
+  TileReader tables;  ///< their tiles are thrice as large
+  std::vector<AxisPiece> across;
+  std::vector<AxisPiece> down;
+
+  explicit FilterScratch(TileCache& cache) : tiles(cache, 128), tables(cache, 32) {}
 };
 
 }  // namespace sweepkit::texmap

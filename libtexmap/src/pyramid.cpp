@@ -88,14 +88,14 @@ void Pyramid::make_of(const TileKey& key, Texel* texels) const {
   const int width = std::min(kTileSide, size.width - x0);
   const int height = std::min(kTileSide, size.height - y0);
   if (key.level == 0) {
-    const std::vector<Texel> region = read_level<Texel>(0, {x0, y0, width, height});
+    const std::vector<Texel> region = read<Texel>(0, {x0, y0, width, height});
     for (int y = 0; y < height; ++y) std::copy_n(region.begin() + y * width, width, texels + y * kTileSide);
     return;
   }
-  const Level& finer = levels_[key.level - 1];
+  const int below = static_cast<int>(key.level) - 1;
+  const Level& finer = level(below);
   if (finer.width == 2 * size.width && finer.height == 2 * size.height) {
-    const std::vector<Texel> region =
-        read_level<Texel>(key.level - 1, {2 * x0, 2 * y0, 2 * width, 2 * height});
+    const std::vector<Texel> region = read<Texel>(below, {2 * x0, 2 * y0, 2 * width, 2 * height});
     for (int y = 0; y < height; ++y) {
       const Texel* upper = region.data() + std::ptrdiff_t{2 * y} * (2 * width);
       const Texel* lower = upper + 2 * width;
@@ -111,7 +111,7 @@ void Pyramid::make_of(const TileKey& key, Texel* texels) const {
   const PixelRect rect{across.front().first, down.front().first,
                        across.back().first + across.back().count - across.front().first,
                        down.back().first + down.back().count - down.front().first};
-  const std::vector<Texel> region = read_level<Texel>(key.level - 1, rect);
+  const std::vector<Texel> region = read<Texel>(below, rect);
   for (int y = 0; y < height; ++y) {
     const Share& rows = down[static_cast<std::size_t>(y)];
     for (int x = 0; x < width; ++x) {
@@ -131,7 +131,7 @@ void Pyramid::make_of(const TileKey& key, Texel* texels) const {
 
 // The finest level straight from the source: a tile of it is made once, by whoever reads it itself.
 template <class Texel>
-std::vector<Texel> Pyramid::read_level(std::uint32_t level, const PixelRect& rect) const {
+std::vector<Texel> Pyramid::read(int level, const PixelRect& rect) const {
   std::vector<Texel> region(static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height));
   if (level == 0) {
     source_->read(rect, region);
@@ -141,8 +141,9 @@ std::vector<Texel> Pyramid::read_level(std::uint32_t level, const PixelRect& rec
   const int y_end = rect.y + rect.height;
   for (int row = rect.y / kTileSide; row * kTileSide < y_end; ++row) {
     for (int column = rect.x / kTileSide; column * kTileSide < x_end; ++column) {
-      const Tile* tile = cache_.pin(
-          {id_, level, static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)}, *this);
+      const Tile* tile = cache_.pin({id_, static_cast<std::uint32_t>(level),
+                                     static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)},
+                                    *this);
       const auto* texels = reinterpret_cast<const Texel*>(tile->data());
       const int x0 = std::max(rect.x, column * kTileSide);
       const int x1 = std::min(x_end, (column + 1) * kTileSide);
@@ -156,5 +157,8 @@ std::vector<Texel> Pyramid::read_level(std::uint32_t level, const PixelRect& rec
   }
   return region;
 }
+
+template std::vector<IntegerTexel> Pyramid::read(int level, const PixelRect& rect) const;
+template std::vector<FloatTexel> Pyramid::read(int level, const PixelRect& rect) const;
 
 }  // namespace sweepkit::texmap

@@ -41,14 +41,16 @@ class Pyramid : public TileMaker {
                     *this));
   }
 
+  /// Texels of a level, row by row; the finest straight from the image, others from their tiles.
+  template <class Texel>
+  std::vector<Texel> read(int level, const PixelRect& rect) const;
+
   std::size_t tile_bytes(const TileKey& key) const override;
   void make(const TileKey& key, std::byte* texels) const override;
 
  private:
   template <class Texel>
   void make_of(const TileKey& key, Texel* texels) const;
-  template <class Texel>
-  std::vector<Texel> read_level(std::uint32_t level, const PixelRect& rect) const;
 
   std::shared_ptr<const TexelSource> source_;
   TileCache& cache_;

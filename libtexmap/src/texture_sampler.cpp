@@ -8,15 +8,13 @@
 #include "filter_scratch.hpp"
 #include "mip_filter.hpp"
 #include "pyramid.hpp"
-#include "sweepkit/texmap/summed_area_table.hpp"
+#include "repeated_integration.hpp"
 
 namespace sweepkit::texmap {
 namespace {
 
-// The box about the parallelogram that a pixel falls on.
-UvBox box_about(const Footprint& footprint) {
-  const glm::dvec2 half = 0.5 * (glm::abs(footprint.dx) + glm::abs(footprint.dy));
-  return {footprint.uv - half, footprint.uv + half};
+int order_of(Filter filter) {
+  return 1 + static_cast<int>(filter) - static_cast<int>(Filter::kIntegral1);
 }
 
 }  // namespace
@@ -29,7 +27,7 @@ struct TextureSampler::Prepared {
   ImageTexture texture;
   Filter filter;
   std::optional<Pyramid> pyramid;
-  std::optional<SummedAreaTable> table;
+  std::optional<RepeatedIntegration> integrals;
 };
 
 TextureSampler::TextureSampler(const ImageTexture& texture, Filter filter, TileCache& cache,
@@ -37,11 +35,9 @@ TextureSampler::TextureSampler(const ImageTexture& texture, Filter filter, TileC
   auto prepared = std::make_unique<Prepared>();
   prepared->texture = texture;
   prepared->filter = filter;
-  if (reads_table(filter)) {
-    prepared->table.emplace(*texture.image, texture.wrap);
-  } else {
-    prepared->pyramid.emplace(texture.file ? texture.file : make_texel_source(texture.image), cache, id);
-  }
+  prepared->pyramid.emplace(texture.file ? texture.file : make_texel_source(texture.image), cache, id);
+  if (reads_table(filter))
+    prepared->integrals.emplace(*prepared->pyramid, texture.wrap, order_of(filter), cache, id);
   prepared_ = std::move(prepared);
 }
 TextureSampler::~TextureSampler() = default;
@@ -57,7 +53,9 @@ glm::vec3 TextureSampler::sample(const Footprint& footprint, FilterThread& threa
     case Filter::kTrilinear:
       return trilinear(*prepared_->pyramid, wrap, footprint, thread.scratch_->tiles);
     case Filter::kIntegral1:
-      return prepared_->table->mean(box_about(footprint));
+    case Filter::kIntegral2:
+    case Filter::kIntegral3:
+      return prepared_->integrals->over_pixel(footprint, *thread.scratch_);
     case Filter::kEwa:
       return elliptical_average(*prepared_->pyramid, wrap, footprint, *thread.scratch_);
     case Filter::kAuto:
@@ -70,12 +68,12 @@ glm::vec3 TextureSampler::sample(const Footprint& footprint, FilterThread& threa
   return elliptical_average(*prepared_->pyramid, wrap, footprint, *thread.scratch_);
 }
 
-glm::vec3 TextureSampler::mean(const UvBox& box) const {
-  return prepared_->table->mean(box);
+glm::vec3 TextureSampler::over_box(const UvBox& box, FilterThread& thread) const {
+  return prepared_->integrals->over_box(box, *thread.scratch_);
 }
 
 std::size_t TextureSampler::table_bytes() const {
-  return prepared_->table ? prepared_->table->bytes() : 0;
+  return prepared_->integrals ? prepared_->integrals->bytes() : 0;
 }
 
 }  // namespace sweepkit::texmap

@@ -14,15 +14,17 @@
 namespace sweepkit::texmap {
 
 std::size_t TileMemory::slot_bytes(std::size_t bytes) {
-  return std::bit_ceil(std::max(bytes, sizeof(Line)));
+  constexpr std::size_t kStep = std::size_t{1} << 14;
+  return bytes <= 2 * kStep ? std::bit_ceil(std::max(bytes, sizeof(Line)))
+                            : (bytes + kStep - 1) / kStep * kStep;
 }
 
 std::byte* TileMemory::take(std::size_t slot) {
-  std::vector<std::byte*>& free = free_[static_cast<std::size_t>(std::countr_zero(slot))];
+  std::vector<std::byte*>& free = free_[slot];
   if (free.empty()) {
-    std::vector<Line>& block = blocks_.emplace_back(std::max(slot, kBlock) / sizeof(Line));
+    std::vector<Line>& block = blocks_.emplace_back(kBlock / sizeof(Line));
     auto* first = reinterpret_cast<std::byte*>(block.data());
-    for (std::size_t at = kBlock; at >= slot; at -= slot) free.push_back(first + at - slot);
+    for (std::size_t at = kBlock / slot; at-- > 0;) free.push_back(first + at * slot);
   }
   std::byte* memory = free.back();
   free.pop_back();
@@ -30,12 +32,12 @@ std::byte* TileMemory::take(std::size_t slot) {
 }
 
 void TileMemory::give_back(std::byte* memory, std::size_t slot) {
-  free_[static_cast<std::size_t>(std::countr_zero(slot))].push_back(memory);
+  free_[slot].push_back(memory);
 }
 
 const Tile* TileCache::pin(const TileKey& key, const TileMaker& maker) {
   const std::uint64_t packed = key.packed();
-  const int lives = 1 + 2 * static_cast<int>(key.level);
+  const int lives = 1 + 2 * static_cast<int>(key.level % TileKey::kFirstTable);
   const auto take = [&](Tile& tile) {
     tile.pins_.fetch_add(1, std::memory_order_relaxed);
     tile.lives_.store(lives, std::memory_order_relaxed);
@@ -84,7 +86,7 @@ void TileCache::drop_to_bound() {
   // No tile outlives more rounds than its lives; after those, all that is left is pinned.
   constexpr std::size_t kRounds = 2 + 2 * 31;
   std::size_t steps = kRounds * clock_.size();
-  while (counts_.bytes > bound_ && steps-- > 0 && !clock_.empty()) {
+  while (counts_.bytes > bound_ - held_ && steps-- > 0 && !clock_.empty()) {
     if (hand_ >= clock_.size()) hand_ = 0;
     Tile* tile = clock_[hand_];
     if (tile->pins_.load(std::memory_order_acquire) > 0) {
@@ -100,6 +102,19 @@ void TileCache::drop_to_bound() {
       tiles_.erase(tile->key_);
     }
   }
+}
+
+bool TileCache::hold(std::size_t bytes) {
+  const std::unique_lock lock(mutex_);
+  if (held_ + bytes > bound_ / 4) return false;
+  held_ += bytes;
+  drop_to_bound();
+  return true;
+}
+
+void TileCache::let_go(std::size_t bytes) {
+  const std::unique_lock lock(mutex_);
+  held_ -= bytes;
 }
 
 TileCache::Counts TileCache::counts() const {

@@ -64,9 +64,9 @@ struct Drawn {
   std::string picture;
   std::size_t peak_bytes = 0;
 };
-Drawn draw(const Workshop& workshop, int megabytes) {
-  const Outcome run =
-      workshop.sweepkit({"render", "s.json", "-o", "p.png", "--texture-memory", std::to_string(megabytes)});
+Drawn draw(const Workshop& workshop, const std::string& filter, int megabytes) {
+  const Outcome run = workshop.sweepkit(
+      {"render", "s.json", "-o", "p.png", "--filter", filter, "--texture-memory", std::to_string(megabytes)});
   EXPECT_EQ(run.status, 0) << run.err;
   return {workshop.read("p.png"), run.peak_bytes};
 }
@@ -75,13 +75,15 @@ Drawn draw(const Workshop& workshop, int megabytes) {
 constexpr std::size_t kMegabyte = std::size_t{1} << 20;
 constexpr std::size_t kBesides = 200 * kMegabyte;
 
-void expect_the_same_within(const Workshop& workshop, int megabytes, int plenty) {
-  const Drawn bounded = draw(workshop, megabytes);
-  const Drawn unbounded = draw(workshop, plenty);
+void expect_the_same_within(const Workshop& workshop, const std::string& filter, int megabytes, int plenty) {
+  SCOPED_TRACE(filter);
+  const Drawn bounded = draw(workshop, filter, megabytes);
+  const Drawn unbounded = draw(workshop, filter, plenty);
   EXPECT_TRUE(bounded.picture == unbounded.picture);
   EXPECT_LT(bounded.peak_bytes, static_cast<std::size_t>(megabytes) * kMegabyte + kBesides);
-  testing::Test::RecordProperty("peak_megabytes", static_cast<int>(bounded.peak_bytes / kMegabyte));
-  testing::Test::RecordProperty("peak_megabytes_with_plenty", static_cast<int>(unbounded.peak_bytes / kMegabyte));
+  testing::Test::RecordProperty("peak_megabytes_" + filter, static_cast<int>(bounded.peak_bytes / kMegabyte));
+  testing::Test::RecordProperty("peak_megabytes_with_plenty_" + filter,
+                                static_cast<int>(unbounded.peak_bytes / kMegabyte));
 }
 
 TEST(BigTexture, OfEveryKindOfFileGivesTheSamePictureInAFewMegabytes) {
@@ -90,8 +92,18 @@ TEST(BigTexture, OfEveryKindOfFileGivesTheSamePictureInAFewMegabytes) {
     SCOPED_TRACE(name);
     write_image(workshop.folder() / name, 2048, tile);
     workshop.write("s.json", floor_with(name));
-    expect_the_same_within(workshop, 16, 8192);
+    expect_the_same_within(workshop, "auto", 16, 8192);
   }
+}
+
+// auto reads what bilinear and ewa do.
+constexpr const char* kOtherFilters[] = {"trilinear", "integral-1", "integral-2", "integral-3"};
+
+TEST(BigTexture, GivesTheSamePictureInAFewMegabytesByEveryFilter) {
+  const Workshop workshop;
+  write_image(workshop.folder() / "t.tif", 2048, 64);
+  workshop.write("s.json", floor_with("t.tif"));
+  for (const char* filter : kOtherFilters) expect_the_same_within(workshop, filter, 16, 8192);
 }
 
 TEST(BigTexture, TakesTheWholeMemoryOfNoneButLeavesNothingBehind) {
@@ -136,15 +148,22 @@ TEST(BigTextureLong, Of8192GivesTheSamePictureIn64Megabytes) {
     SCOPED_TRACE(name);
     write_image(workshop.folder() / name, 8192, tile);
     workshop.write("s.json", floor_with(name));
-    expect_the_same_within(workshop, 64, 16384);
+    expect_the_same_within(workshop, "auto", 64, 16384);
   }
+}
+
+TEST(BigTextureLong, Of8192GivesTheSamePictureIn64MegabytesByEveryFilter) {
+  const Workshop workshop;
+  write_image(workshop.folder() / "t.tif", 8192, 64);
+  workshop.write("s.json", floor_with("t.tif"));
+  for (const char* filter : kOtherFilters) expect_the_same_within(workshop, filter, 64, 16384);
 }
 
 TEST(BigTextureLong, Of32768GivesTheSamePictureIn512Megabytes) {
   const Workshop workshop;
   write_image(workshop.folder() / "t.tif", 32768, 128);
   workshop.write("s.json", floor_with("t.tif"));
-  expect_the_same_within(workshop, 512, 2048);
+  expect_the_same_within(workshop, "auto", 512, 2048);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "sweepkit/error.hpp"
-#include "sweepkit/texmap/summed_area_table.hpp"
+#include "sweepkit/texmap/texture_sampler.hpp"
 
 namespace sweepkit::texmap {
 namespace {

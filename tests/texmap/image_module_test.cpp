@@ -11,8 +11,8 @@
 #include <string>
 
 #include "sweepkit/texmap/image_file.hpp"
-#include "sweepkit/texmap/summed_area_table.hpp"
 #include "sweepkit/texmap/texture.hpp"
+#include "sweepkit/texmap/texture_sampler.hpp"
 
 // How a program that starts afresh finds the image module: this program is run again, also from elsewhere.
 namespace sweepkit::texmap {
@@ -94,7 +94,9 @@ TEST_F(ImageModule, TellsWhereItWasLookedForIfItIsMissing) {
 // Ends the process: 0 if the module was loaded by the first image and not before.
 [[noreturn]] void use_images_last() {
   const Image image{1, 1, 3, std::vector<std::uint16_t>{1, 2, 3}};
-  SummedAreaTable(image, Wrap::kRepeat).mean({});
+  TileCache tiles;
+  FilterThread thread(tiles);
+  TextureSampler({std::make_shared<const Image>(image)}, Filter::kIntegral1, tiles, 0).over_box({}, thread);
   point_sample(Procedural{}, {0.5, 0.5}, {});
   image_format("a.png");
   const bool is_loaded_early = is_image_module_loaded();

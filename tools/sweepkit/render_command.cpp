@@ -142,15 +142,15 @@ void add_render(CLI::App& app) {
   sub.add_option("--size", command->size, "Pixels, instead of the scene's")->type_name("WxH");
   sub.add_option("--filter", command->filter,
                  "How image textures are looked up; auto is bilinear where a texture is magnified and ewa, "
-                 "the elliptical "
-                 "average, elsewhere; integral-1 is the paper's, the mean over a box")
+                 "the elliptical average, elsewhere; integral-1, -2 and -3 average one, two or three boxes "
+                 "convolved, by tables of sums: the paper's way")
       ->capture_default_str()
       ->check(
           CLI::IsMember(std::vector<std::string>(texmap::kFilterNames.begin(), texmap::kFilterNames.end())));
   sub.add_option("--footprint", command->footprint,
                  "What the filter covers: auto, a pixel, by the next neighbours; neighbours, as the paper "
-                 "has it, only "
-                 "where all eight hit the same surface, and integral-1 takes their box, two pixels wide")
+                 "has it, only where all eight hit the same surface, and integral-1, -2 and -3 take their "
+                 "box, two pixels wide, as all that they cover")
       ->capture_default_str()
       ->check(CLI::IsMember({"neighbours", "auto"}));
   sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")

@@ -13,7 +13,9 @@ enum class Filter {
   kPoint,      ///< the texel at the middle
   kBilinear,   ///< interpolated between the texels there
   kTrilinear,  ///< a MIP pyramid, isotropic [Williams83]
-  kIntegral1,  ///< the box about the footprint from a summed-area table [Crow84]
+  kIntegral1,  ///< a box over the footprint, from a summed-area table [Crow84]
+  kIntegral2,  ///< two boxes convolved, a tent, from a table of order 2 [Heckbert86]
+  kIntegral3,  ///< three boxes convolved, from a table of order 3
   kEwa,        ///< the elliptical weighted average [Heckbert89]
   kAuto,       ///< bilinear where the texture is magnified, elliptical elsewhere
 };
@@ -24,12 +26,12 @@ constexpr bool reads_footprint(Filter filter) {
 }
 /// Does it read a table of integrals (else tiles)?
 constexpr bool reads_table(Filter filter) {
-  return filter == Filter::kIntegral1;
+  return filter == Filter::kIntegral1 || filter == Filter::kIntegral2 || filter == Filter::kIntegral3;
 }
 
 /// Their names, in order: "point", "bilinear", ...
-inline constexpr std::array<std::string_view, 6> kFilterNames = {"point",      "bilinear", "trilinear",
-                                                                 "integral-1", "ewa",      "auto"};
+inline constexpr std::array<std::string_view, 8> kFilterNames = {
+    "point", "bilinear", "trilinear", "integral-1", "integral-2", "integral-3", "ewa", "auto"};
 inline constexpr std::string_view filter_name(Filter filter) {
   return kFilterNames[static_cast<std::size_t>(filter)];
 }

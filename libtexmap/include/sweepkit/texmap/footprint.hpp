@@ -7,9 +7,13 @@
 #include <optional>
 #include <span>
 
-#include "sweepkit/texmap/summed_area_table.hpp"
-
 namespace sweepkit::texmap {
+
+/// A box in texture coordinates; v upwards. min <= max.
+struct UvBox {
+  glm::dvec2 min{0.0};
+  glm::dvec2 max{0.0};
+};
 
 /// Where a pixel falls on a texture: the place of its middle, and how far one pixel to the right and one down
 /// go from there. In (u,v).

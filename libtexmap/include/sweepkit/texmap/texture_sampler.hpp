@@ -42,10 +42,12 @@ class TextureSampler {
   /// that is not finite gives the mean of the texture.
   glm::vec3 sample(const Footprint& footprint, FilterThread& thread) const;
 
-  /// The mean over a box. Precondition: reads_table(filter).
-  glm::vec3 mean(const UvBox& box) const;
+  /// The filter with a box as its support: n boxes of an n-th of it, for order 1 its mean. A box narrower
+  /// than a texel is widened to about one; one that is not finite gives the mean of the texture.
+  /// Precondition: reads_table(filter).
+  glm::vec3 over_box(const UvBox& box, FilterThread& thread) const;
 
-  /// Memory held besides tiles.
+  /// Memory held besides tiles, once no lookup is going on.
   std::size_t table_bytes() const;
 
  private:

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <shared_mutex>
 #include <unordered_map>
@@ -18,9 +19,11 @@ namespace sweepkit::texmap {
 /// Which tile of which level of which texture.
 struct TileKey {
   std::uint32_t texture = 0;  ///< up to 65535
-  std::uint32_t level = 0;    ///< up to 31
+  std::uint32_t level = 0;    ///< up to 31 of texels, and as many of tables after kFirstTable
   std::uint32_t column = 0;   ///< in tiles, up to 2^21 - 1
   std::uint32_t row = 0;
+
+  static constexpr std::uint32_t kFirstTable = 32;
 
   std::uint64_t packed() const {
     return std::uint64_t{texture} << 48 | std::uint64_t{level} << 42 | std::uint64_t{row} << 21 | column;
@@ -49,11 +52,12 @@ class TileMaker {
   virtual std::size_t tile_bytes(const TileKey& key) const = 0;  ///< up to kLargestTile
   virtual void make(const TileKey& key, std::byte* texels) const = 0;
 
-  static constexpr std::size_t kLargestTile = std::size_t{1} << 16;
+  static constexpr std::size_t kLargestTile = std::size_t{1} << 17;
 };
 
-/// Memory for tiles, in slots whose size is a power of two, cut from blocks that are kept until the end:
-/// tiles come and go by the hundred thousand, and a general heap would be left full of holes.
+/// Memory for tiles, in slots of few sizes (powers of two, and multiples of 16 KiB past 32), cut from blocks
+/// that are kept until the end: tiles come and go by the hundred thousand, and a general heap would be left
+/// full of holes.
 class TileMemory {
  public:
   /// Bytes that a tile of this size takes.
@@ -67,12 +71,12 @@ class TileMemory {
     std::array<std::byte, 64> bytes;
   };
   std::vector<std::vector<Line>> blocks_;
-  std::array<std::vector<std::byte*>, 17> free_;  // by the slot's logarithm
+  std::map<std::size_t, std::vector<std::byte*>> free_;  // by the slot's size
 };
 
 /// Tiles of all textures, made when first touched and dropped when they come to more than the bound. Who
 /// reads a tile pins it; pinned tiles are not dropped, so the bound may be passed by what the readers hold
-/// (TileReader: 128 tiles each) and by the tiles being made. Any number of threads.
+/// (TileReader) and by the tiles being made. Any number of threads.
 class TileCache {
  public:
   explicit TileCache(std::size_t bound = kDefaultTextureMemory) : bound_(bound) {}
@@ -87,6 +91,11 @@ class TileCache {
     const_cast<Tile*>(tile)->pins_.fetch_sub(1, std::memory_order_release);
   }
 
+  /// Takes memory that holds no tiles, but belongs to textures as they do, off the bound. False if all that
+  /// is so held would come to more than a quarter of it: then nothing is taken.
+  bool hold(std::size_t bytes);
+  void let_go(std::size_t bytes);
+
   struct Counts {
     std::uint64_t made = 0;
     std::uint64_t dropped = 0;
@@ -100,6 +109,7 @@ class TileCache {
   void drop_to_bound();
 
   std::size_t bound_;
+  std::size_t held_ = 0;
   mutable std::shared_mutex mutex_;
   TileMemory memory_;
   std::unordered_map<std::uint64_t, std::unique_ptr<Tile>> tiles_;
@@ -111,7 +121,8 @@ class TileCache {
 /// One thread's way to the tiles: keeps those it read last pinned, so that most lookups take no lock.
 class TileReader {
  public:
-  explicit TileReader(TileCache& cache) : cache_(&cache) {}
+  /// Keeps up to `slots` tiles, a power of two.
+  TileReader(TileCache& cache, std::size_t slots) : cache_(&cache), slots_(slots) {}
   ~TileReader() { release(); }
   TileReader(const TileReader&) = delete;
   TileReader& operator=(const TileReader&) = delete;
@@ -119,14 +130,13 @@ class TileReader {
   /// The tile's bytes; good until the next call.
   const std::byte* read(const TileKey& key, const TileMaker& maker) {
     const std::uint64_t packed = key.packed();
-    Slot& slot = slots_[(packed ^ packed >> 18 ^ packed >> 40) % kSlots];
+    Slot& slot = slots_[(packed ^ packed >> 18 ^ packed >> 40) & (slots_.size() - 1)];
     if (slot.tile == nullptr || slot.key != packed) replace(slot, key, maker);
     return slot.data;
   }
   void release();
 
  private:
-  static constexpr std::size_t kSlots = 128;
   struct Slot {
     std::uint64_t key = 0;
     const std::byte* data = nullptr;
@@ -135,7 +145,7 @@ class TileReader {
   void replace(Slot& slot, const TileKey& key, const TileMaker& maker);
 
   TileCache* cache_;
-  std::array<Slot, kSlots> slots_{};
+  std::vector<Slot> slots_;
 };
 
 }  // namespace sweepkit::texmap
