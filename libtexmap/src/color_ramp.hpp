@@ -50,6 +50,7 @@ template <class KnotAt>
 glm::dvec3 mean_of_wave(double t, double sigma, std::size_t count, KnotAt&& knot) {
   constexpr double kPi = std::numbers::pi;
   t -= std::floor(t);
+  if (!(t < 1)) t = 0;  // just below a whole number
   // Calls use(knot, colour step to the next, way to it, kink) for every knot.
   const auto for_each_knot = [&](auto&& use) {
     RampKnot before = knot(count - 1);

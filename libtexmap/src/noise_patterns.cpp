@@ -53,7 +53,13 @@ std::size_t last_of(Colors colors) {
 
 // The vein is where |sin| of the phase is 0; |sin| runs through the colours, so the veins are thin.
 glm::dvec3 marble(const Pattern& pattern, const PatternPlace& place) {
-  const FilteredNoise bend = turbulence(place.at, place.extent(glm::dvec3(1.0)), pattern.octaves);
+  // On (u,v) the lattice is turned by whole numbers, which keeps it coming round: else its cells and the
+  // waves would be of one length, and hang together.
+  const bool is_flat = pattern.octaves.is_flat;
+  const glm::dvec3& p = place.at;
+  const glm::dvec3 lattice = is_flat ? glm::dvec3(2 * p.x + p.y, 2 * p.y - p.x, 0) : p;
+  const FilteredNoise bend =
+      turbulence(lattice, place.extent(glm::dvec3(is_flat ? std::sqrt(5.0) : 1.0)), pattern.octaves);
   const double strength = pattern.turbulence / (2 * kPi);
   const double variance = place.extent({1, 0, 0}) + strength * strength * bend.lost.variance;
   const Colors colors = pattern.colors;
@@ -158,6 +164,8 @@ glm::dvec3 plain_noise(const Pattern& pattern, const PatternPlace& place) {
 
 double cells_of(const Procedural& procedural) {
   switch (procedural.kind) {
+    case ProceduralKind::kMarble:
+      return procedural.on == ProceduralOn::kUv ? std::sqrt(5.0) : 1;
     case ProceduralKind::kWood:
       return procedural.grain > 0 ? static_cast<double>(fibres_of(procedural)) : 2;
     case ProceduralKind::kGranite:

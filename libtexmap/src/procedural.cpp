@@ -91,7 +91,7 @@ void turn_to_axes(glm::dvec3& major, glm::dvec3& minor) {
 // Into how many pieces along its major axis.
 int pieces_of(const Pattern& pattern, const PatternPlace& place) {
   constexpr int kMostOfSteps = 16;
-  constexpr int kMostOfNoise = 8;
+  constexpr int kMostOfNoise = 4;
   const double longest = glm::length(place.major);
   const double aspect = longest / std::max(glm::length(place.minor), 1e-3 * longest);
   if (!is_of_steps(pattern.given.kind)) {
