@@ -17,7 +17,7 @@
 #include "material_of.hpp"
 #include "surface_point.hpp"
 #include "sweepkit/texmap/footprint.hpp"
-#include "sweepkit/texmap/texture.hpp"
+#include "sweepkit/texmap/procedural.hpp"
 
 namespace sweepkit::render {
 namespace {
@@ -115,6 +115,49 @@ std::optional<glm::vec3> Shader::filtered(const RowWindow& rows, const Neighbour
   return sampler.sample(*footprint, filter);
 }
 
+glm::dvec3 Shader::pattern_place(const TreeRow& row, std::size_t node, texmap::ProceduralOn on) const {
+  if (on == texmap::ProceduralOn::kUv) return glm::dvec3(row.texcoords[node], 0);
+  const Hit& hit = row.nodes[node].hit;
+  const scene::MeshView& mesh = *tracer_.object(hit.object).mesh;
+  const auto& [a, b, c] = mesh.triangles[hit.triangle];
+  return mesh.origin + hit.a * glm::dvec3(mesh.positions[a]) + hit.b * glm::dvec3(mesh.positions[b]) +
+         hit.c * glm::dvec3(mesh.positions[c]);
+}
+
+std::optional<texmap::PatternFootprint> Shader::pattern_footprint(const RowWindow& rows,
+                                                                  const Neighbourhood& nodes,
+                                                                  texmap::ProceduralOn on) const {
+  const auto own = static_cast<std::size_t>(nodes[1][1]);
+  const TreeNode& at = rows[1]->nodes[own];
+  const glm::dvec3 here = pattern_place(*rows[1], own, on);
+  glm::dvec3 period(0.0);
+  if (on == texmap::ProceduralOn::kUv) {
+    const sweep::Area& area = tracer_.object(at.hit.object).mesh->areas[at.area];
+    period = {area.u_period, area.v_period, 0};
+  }
+  // The way to the neighbour, if it lies on the same piece of the object; across a seam the short way.
+  const auto way_to = [&](std::size_t r, std::size_t c) -> std::optional<glm::dvec3> {
+    if (nodes[r][c] < 0) return std::nullopt;
+    const auto other = static_cast<std::size_t>(nodes[r][c]);
+    const TreeNode& node = rows[r]->nodes[other];
+    if (node.hit.object != at.hit.object || node.area != at.area) return std::nullopt;
+    glm::dvec3 way = pattern_place(*rows[r], other, on) - here;
+    for (glm::length_t k = 0; k < 2; ++k) {
+      if (period[k] > 0) way[k] -= period[k] * std::nearbyint(way[k] / period[k]);
+    }
+    return way;
+  };
+  // Half the way between the two beside, or to the one that is there.
+  const auto step = [](const std::optional<glm::dvec3>& before, const std::optional<glm::dvec3>& after) {
+    if (before && after) return std::optional(0.5 * (*after - *before));
+    return before ? std::optional(-*before) : after;
+  };
+  const std::optional<glm::dvec3> dx = step(way_to(1, 0), way_to(1, 2));
+  const std::optional<glm::dvec3> dy = step(way_to(0, 1), way_to(2, 1));
+  if (!dx || !dy) return std::nullopt;
+  return texmap::PatternFootprint{here, *dx, *dy};
+}
+
 glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const scene::Material& material,
                            texmap::FilterThread& filter, ShadingCounts& counts) const {
   const glm::dvec3 base(material.diffuse);
@@ -123,7 +166,7 @@ glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, co
   const auto own = static_cast<std::size_t>(nodes[1][1]);
   const glm::dvec2 uv = rows[1]->texcoords.empty() ? glm::dvec2(0.0) : rows[1]->texcoords[own];
   if (const std::optional<texmap::TextureSampler>& sampler = samplers_[*material.texture]) {
-    if (looks_round_) {
+    if (looks_round_ && texmap::reads_footprint(filter_)) {
       if (const std::optional<glm::vec3> color = filtered(rows, nodes, *sampler, filter)) {
         ++counts.filtered;
         return base * glm::dvec3(*color);
@@ -132,13 +175,14 @@ glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, co
     // No neighbour tells how large the pixel is here: as large as a texel, then.
     return base * glm::dvec3(sampler->sample({uv}, filter));
   }
-  const TreeNode& at = rows[1]->nodes[own];
-  const scene::MeshView& mesh = *tracer_.object(at.hit.object).mesh;
-  const auto& [a, b, c] = mesh.triangles[at.hit.triangle];
-  const glm::dvec3 position = mesh.origin + at.hit.a * glm::dvec3(mesh.positions[a]) +
-                              at.hit.b * glm::dvec3(mesh.positions[b]) +
-                              at.hit.c * glm::dvec3(mesh.positions[c]);
-  return base * glm::dvec3(texmap::point_sample(scene_.textures[*material.texture], uv, position));
+  const auto& procedural = std::get<texmap::Procedural>(scene_.textures[*material.texture]);
+  if (looks_round_ && filter_ != texmap::Filter::kPoint) {
+    if (const auto footprint = pattern_footprint(rows, nodes, procedural.on)) {
+      ++counts.filtered;
+      return base * glm::dvec3(texmap::evaluate(procedural, *footprint));
+    }
+  }
+  return base * glm::dvec3(texmap::evaluate(procedural, {pattern_place(*rows[1], own, procedural.on)}));
 }
 
 glm::dvec3 Shader::local_light(const TreeNode& at, const scene::Material& material, const glm::dvec3& diffuse,

@@ -13,6 +13,7 @@
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
 #include "sweepkit/texmap/footprint.hpp"
+#include "sweepkit/texmap/procedural.hpp"
 #include "sweepkit/texmap/texture_sampler.hpp"
 #include "tracer.hpp"
 
@@ -58,6 +59,11 @@ class Shader {
   std::optional<glm::vec3> filtered(const RowWindow& rows, const Neighbourhood& nodes,
                                     const texmap::TextureSampler& sampler,
                                     texmap::FilterThread& filter) const;
+  // Where a node lies in the space that a procedural texture is on, and what its pixel covers there, by the
+  // pixels beside it; none where they do not tell.
+  glm::dvec3 pattern_place(const TreeRow& row, std::size_t node, texmap::ProceduralOn on) const;
+  std::optional<texmap::PatternFootprint> pattern_footprint(const RowWindow& rows, const Neighbourhood& nodes,
+                                                            texmap::ProceduralOn on) const;
   glm::dvec3 local_light(const TreeNode& at, const scene::Material& material, const glm::dvec3& diffuse,
                          ShadingCounts& counts) const;
 

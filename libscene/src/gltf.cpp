@@ -21,6 +21,7 @@
 #include "gltf_transform.hpp"
 #include "message_text.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/scene/bake_over.hpp"
 #include "sweepkit/scene/image_store.hpp"
 #include "sweepkit/sweep/tangents.hpp"
 #include "sweepkit/texmap/bake.hpp"
@@ -230,12 +231,8 @@ class Writer {
       return add_texture(add_image(baked.image, object.name), texmap::Wrap::kRepeat);
     }
     const MeshView& mesh = scene_.meshes[object.mesh];
-    std::vector<std::uint32_t> area_ends;
-    area_ends.reserve(mesh.areas.size());
-    for (const sweep::Area& area : mesh.areas) area_ends.push_back(area.first_triangle + area.triangle_count);
     texmap::BakedTexture baked =
-        texmap::bake(procedural, {mesh.positions, mesh.texcoords, mesh.triangles, area_ends, mesh.origin},
-                     {options_.bake_size, options_.bake_size});
+        bake_over(mesh, procedural, {.width = options_.bake_size, .height = options_.bake_size});
     transforms = std::move(baked.transforms);
     count_bake(baked.image);
     const auto image = std::make_shared<const texmap::Image>(std::move(baked.image));

@@ -57,7 +57,9 @@ Plan plan(const Document& document, const Request& request) {
   const bool is_picture = request.product == Request::Product::kPicture;
   const bool has_image = is_picture && usage.has_image;
   const bool has_tables = has_image && texmap::reads_table(request.filter);
-  const bool has_footprints = has_image && texmap::reads_footprint(request.filter);
+  const bool is_filtered = usage.has_procedural ? request.filter != texmap::Filter::kPoint
+                                                : usage.has_image && texmap::reads_footprint(request.filter);
+  const bool has_footprints = is_picture && is_filtered;
   const bool has_light = !document.lights.empty() || !document.has_ambient;
 
   Plan plan;
@@ -87,9 +89,9 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kTexcoords, usage.reads_uv,
               usage.reads_uv ? "textures are looked up by (u,v)" : "no texture reads (u,v)");
   picture_row(Part::kFilteredNodes, has_footprints,
-              has_footprints    ? "textured hits are filtered over their neighbours"
-              : usage.has_image ? filter
-                                : no_image);
+              has_footprints      ? "textured hits are filtered over their neighbours"
+              : usage.has_texture ? filter
+                                  : "no texture is used");
   picture_row(Part::kRows, has_footprints,
               has_footprints ? "the filter looks at the rows above and below"
                              : "one row is enough where no neighbour is looked at");

@@ -9,42 +9,76 @@ namespace {
 
 constexpr Range kPositive{.low = 1e-9, .high = 1e9};
 
+// Colours and those keys that only some kinds have.
+void read_colors(const Node& node, texmap::Procedural& procedural) {
+  constexpr std::size_t kMost = 256;
+  for (const Node& color : node.items()) procedural.colors.push_back(color.color(1));
+  const std::string got = std::to_string(procedural.colors.size());
+  if (procedural.colors.size() < 2) node.fail("needs at least 2 colours, got " + got);
+  if (procedural.colors.size() > kMost) node.fail("needs at most 256 colours, got " + got);
+  if (procedural.kind == texmap::ProceduralKind::kChecker && procedural.colors.size() > 2)
+    node.fail("a checker has 2 colours, got " + got);
+}
+
+void read_widths(const Node& node, texmap::Procedural& procedural) {
+  if (procedural.colors.empty()) node.fail("needs \"colors\" beside it, one for each width");
+  for (const Node& width : node.items()) procedural.widths.push_back(width.number(kPositive));
+  if (procedural.widths.size() != procedural.colors.size()) {
+    node.fail("needs one width for each of the " + std::to_string(procedural.colors.size()) +
+              " colours, got " + std::to_string(procedural.widths.size()));
+  }
+}
+
 texmap::Procedural read_procedural(const Node& kind, ObjectReader& reader) {
+  using texmap::ProceduralKind;
+  constexpr Range kShare{.low = 0, .high = 1};
   texmap::Procedural procedural;
-  procedural.kind = static_cast<texmap::ProceduralKind>(kind.choice({"checker", "tiles", "bands", "marble"}));
-  if (procedural.kind == texmap::ProceduralKind::kMarble) procedural.on = texmap::ProceduralOn::kPosition;
+  procedural.kind = static_cast<ProceduralKind>(
+      kind.choice({texmap::kProceduralNames.begin(), texmap::kProceduralNames.end()}));
+  procedural.on = texmap::default_on(procedural.kind);
   if (const auto node = reader.find("on"))
     procedural.on = static_cast<texmap::ProceduralOn>(node->choice({"uv", "position"}));
   if (const auto node = reader.find("scale")) procedural.scale = node->number(kPositive);
-  if (const auto node = reader.find("colors")) {
-    for (const Node& color : node->items()) procedural.colors.push_back(color.color(1));
-    if (procedural.colors.size() < 2)
-      node->fail("needs at least 2 colours, got " + std::to_string(procedural.colors.size()));
-    if (procedural.kind == texmap::ProceduralKind::kChecker && procedural.colors.size() > 2)
-      node->fail("a checker has 2 colours, got " + std::to_string(procedural.colors.size()));
-  }
+  if (const auto node = reader.find("colors")) read_colors(*node, procedural);
+  const auto number = [&](const char* key, double& value, const Range& range) {
+    if (const auto node = reader.find(key)) value = node->number(range);
+  };
+  const auto turbulence = [&] {
+    if (const auto node = reader.find("turbulence"))
+      procedural.turbulence = node->number({.low = 0, .high = 1000});
+  };
   switch (procedural.kind) {
-    case texmap::ProceduralKind::kChecker:
+    case ProceduralKind::kChecker:
+      return procedural;
+    case ProceduralKind::kTiles:
+      number("grout", procedural.grout, kShare);
+      return procedural;
+    case ProceduralKind::kBands:
+      if (const auto node = reader.find("widths")) read_widths(*node, procedural);
+      return procedural;
+    case ProceduralKind::kBrick:
+      number("mortar", procedural.mortar, kShare);
+      number("ratio", procedural.ratio, {.low = 0.1, .high = 100});
+      number("bond", procedural.bond, kShare);
+      return procedural;
+    case ProceduralKind::kMarble:
+      turbulence();
       break;
-    case texmap::ProceduralKind::kTiles:
-      if (const auto node = reader.find("grout")) procedural.grout = node->number({.low = 0, .high = 1});
+    case ProceduralKind::kWood:
+      number("rings", procedural.rings, {.low = 0.01, .high = 1e6});
+      number("grain", procedural.grain, kShare);
+      turbulence();
       break;
-    case texmap::ProceduralKind::kBands:
-      if (const auto node = reader.find("widths")) {
-        if (procedural.colors.empty()) node->fail("needs \"colors\" beside it, one for each width");
-        for (const Node& width : node->items()) procedural.widths.push_back(width.number(kPositive));
-        if (procedural.widths.size() != procedural.colors.size()) {
-          node->fail("needs one width for each of the " + std::to_string(procedural.colors.size()) +
-                     " colours, got " + std::to_string(procedural.widths.size()));
-        }
-      }
+    case ProceduralKind::kClouds:
+      number("coverage", procedural.coverage, kShare);
       break;
-    case texmap::ProceduralKind::kMarble:
-      if (const auto node = reader.find("turbulence"))
-        procedural.turbulence = node->number({.low = 0, .high = 1000});
-      if (const auto node = reader.find("octaves")) procedural.octaves = node->integer(1, 16);
+    case ProceduralKind::kGranite:
+    case ProceduralKind::kNoise:
       break;
   }
+  if (const auto node = reader.find("octaves")) procedural.octaves = node->integer(1, 16);
+  if (const auto node = reader.find("basis"))
+    procedural.basis = static_cast<texmap::NoiseBasis>(node->choice({"perlin-2002", "perlin-1985"}));
   return procedural;
 }
 

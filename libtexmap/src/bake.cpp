@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// A texture as an image. Each texel is the mean of 4 x 4 points of it (a procedural) or of the box it covers
-// (an image). Areas that share (u,v) are laid out side by side, each in a cell of its own with a border; what
-// no triangle covers is filled from the nearest covered texel, breadth first, so that a filter finds no seam.
+// A texture as an image. Each texel is the mean of what it covers: of an image the box, of a procedural
+// parts of it under footprints. Areas that share (u,v) are laid out side by side, each in a cell of its own
+// with a gutter; one that comes round is drawn again a period to either side, as far as the gutter shows it.
+// What no triangle covers is filled from the nearest covered texel, breadth first, so that a filter finds no
+// seam.
 
 #include "sweepkit/texmap/bake.hpp"
 
@@ -20,11 +22,28 @@
 namespace sweepkit::texmap {
 namespace {
 
-constexpr int kSamples = 4;  // along each side of a texel
-constexpr int kBorder = 4;   // texels round each area's cell: more than a bilinear or 4-texel filter reaches
+int gutter_of(const BakeOptions& options) {
+  return std::max(4, std::min(options.width, options.height) / 64);
+}
 
 std::uint16_t to_sample(float value) {
   return static_cast<std::uint16_t>(std::lround(65535.0f * std::clamp(value, 0.0f, 1.0f)));
+}
+
+// The mean over a texel whose sides are dx and dy: that of its 4 x 4 parts, each under a tent that stays
+// inside it, so that an edge between texels stays sharp. Fewer parts make noise worse than points do, one
+// makes edges soft.
+glm::vec3 texel_mean(const Procedural& procedural, const glm::dvec3& middle, const glm::dvec3& dx,
+                     const glm::dvec3& dy) {
+  constexpr int kParts = 4;
+  constexpr double kHalf = 0.5 / kParts;
+  glm::vec3 sum(0.0f);
+  for (int i = 0; i < kParts * kParts; ++i) {
+    const double a = (2 * (i % kParts) + 1) * kHalf - 0.5;
+    const double b = (2 * (i / kParts) + 1) * kHalf - 0.5;
+    sum += evaluate(procedural, {middle + a * dx + b * dy, kHalf * dx, kHalf * dy});
+  }
+  return sum / static_cast<float>(kParts * kParts);
 }
 
 struct Canvas {
@@ -47,19 +66,6 @@ Canvas make_canvas(int width, int height) {
   return {{width, height, 3, std::vector<std::uint16_t>(3 * count)}, std::vector<bool>(count)};
 }
 
-// The colour of the texel at (x, y), position found by `position_at` for each (u, v) in it.
-template <class UvAt, class PositionAt>
-glm::vec3 texel_mean(const Texture& texture, int x, int y, UvAt&& uv_at, PositionAt&& position_at) {
-  glm::vec3 sum(0.0f);
-  for (int b = 0; b < kSamples; ++b) {
-    for (int a = 0; a < kSamples; ++a) {
-      const glm::dvec2 uv = uv_at(glm::dvec2(x + (a + 0.5) / kSamples, y + (b + 0.5) / kSamples));
-      sum += point_sample(texture, uv, position_at(uv));
-    }
-  }
-  return sum / static_cast<float>(kSamples * kSamples);
-}
-
 Image bake_unit_square(const Texture& texture, int width, int height) {
   Canvas canvas = make_canvas(width, height);
   const glm::dvec2 size(width, height);
@@ -76,30 +82,45 @@ Image bake_unit_square(const Texture& texture, int width, int height) {
     }
     return std::move(canvas.image);
   }
-  const auto uv_at = [&](const glm::dvec2& p) { return glm::dvec2(p.x, size.y - p.y) / size; };
-  const auto nowhere = [](const glm::dvec2&) { return glm::dvec3(0.0); };
+  const auto& procedural = std::get<Procedural>(texture);
+  const glm::dvec3 dx(1 / size.x, 0, 0);
+  const glm::dvec3 dy(0, -1 / size.y, 0);
   for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) canvas.set(x, y, texel_mean(texture, x, y, uv_at, nowhere));
+    for (int x = 0; x < width; ++x)
+      canvas.set(x, y, texel_mean(procedural, {(x + 0.5) / size.x, 1 - (y + 0.5) / size.y, 0}, dx, dy));
   }
   return std::move(canvas.image);
 }
+
+// Texels low <= (x, y) < high.
+struct TexelRect {
+  glm::ivec2 low;
+  glm::ivec2 high;
+};
 
 struct UvRange {
   glm::dvec2 low{std::numeric_limits<double>::infinity()};
   glm::dvec2 high{-std::numeric_limits<double>::infinity()};
 };
 
-// Writes every texel whose middle lies in the triangle, or on its edge.
-void draw_triangle(Canvas& canvas, const Texture& texture, const BakeSurface& surface,
-                   const std::array<std::uint32_t, 3>& triangle, const UvTransform& transform) {
+// Writes every texel of `clip` whose middle lies in the triangle moved by `shift` in (u,v), or on its edge.
+void draw_triangle(Canvas& canvas, const TexelRect& clip, const Procedural& procedural,
+                   const BakeSurface& surface, const std::array<std::uint32_t, 3>& triangle,
+                   const UvTransform& transform, const glm::dvec2& shift) {
   const glm::dvec2 size(canvas.image.width, canvas.image.height);
-  std::array<glm::dvec2, 3> p;  // in texels, y down
-  std::array<glm::dvec3, 3> position;
+  const bool is_on_uv = procedural.on == ProceduralOn::kUv;
+  std::array<glm::dvec2, 3> p;      // in texels, y down
+  std::array<glm::dvec3, 3> place;  // in the space that the pattern is on
   for (std::size_t k = 0; k < 3; ++k) {
-    const glm::dvec2 uv = transform.offset + transform.scale * glm::dvec2(surface.texcoords[triangle[k]]);
+    const glm::dvec2 own(surface.texcoords[triangle[k]]);
+    const glm::dvec2 uv = transform.offset + transform.scale * (own + shift);
     p[k] = glm::dvec2(uv.x, 1 - uv.y) * size;
-    position[k] = glm::dvec3(surface.positions[triangle[k]]) + surface.origin;
+    place[k] = is_on_uv ? glm::dvec3(own, 0) : glm::dvec3(surface.positions[triangle[k]]) + surface.origin;
   }
+  const glm::dvec2 low = glm::min(p[0], glm::min(p[1], p[2]));
+  const glm::dvec2 high = glm::max(p[0], glm::max(p[1], p[2]));
+  const glm::ivec2 first(glm::max(glm::floor(low), glm::dvec2(clip.low)));
+  const glm::ivec2 end(glm::min(glm::ceil(high) + 1.0, glm::dvec2(clip.high)));
   const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
   const double whole = cross(p[1] - p[0], p[2] - p[0]);
   if (whole == 0) return;
@@ -108,26 +129,32 @@ void draw_triangle(Canvas& canvas, const Texture& texture, const BakeSurface& su
     const double b = cross(p[2] - q, p[0] - q) / whole;
     return glm::dvec3(a, b, 1 - a - b);
   };
-  const auto uv_at = [&](const glm::dvec2& q) {
-    return (glm::dvec2(q.x, size.y - q.y) / size - transform.offset) / transform.scale;
-  };
-  const int x0 = std::max(0, static_cast<int>(std::floor(std::min({p[0].x, p[1].x, p[2].x}))));
-  const int x1 =
-      std::min(canvas.image.width - 1, static_cast<int>(std::ceil(std::max({p[0].x, p[1].x, p[2].x}))));
-  const int y0 = std::max(0, static_cast<int>(std::floor(std::min({p[0].y, p[1].y, p[2].y}))));
-  const int y1 =
-      std::min(canvas.image.height - 1, static_cast<int>(std::ceil(std::max({p[0].y, p[1].y, p[2].y}))));
-  for (int y = y0; y <= y1; ++y) {
-    for (int x = x0; x <= x1; ++x) {
+  const auto placed = [&](const glm::dvec3& w) { return w.x * place[0] + w.y * place[1] + w.z * place[2]; };
+  const glm::dvec3 at_origin = placed(weights({0, 0}));
+  const glm::dvec3 dx = placed(weights({1, 0})) - at_origin;
+  const glm::dvec3 dy = placed(weights({0, 1})) - at_origin;
+  for (int y = first.y; y < end.y; ++y) {
+    for (int x = first.x; x < end.x; ++x) {
       if (canvas.is_covered[canvas.index(x, y)]) continue;
       const glm::dvec3 at_middle = weights({x + 0.5, y + 0.5});
       if (at_middle.x < -1e-9 || at_middle.y < -1e-9 || at_middle.z < -1e-9) continue;
-      const auto position_at = [&](const glm::dvec2& uv) {
-        const glm::dvec2 baked = transform.offset + transform.scale * uv;
-        const glm::dvec3 w = weights(glm::dvec2(baked.x, 1 - baked.y) * size);
-        return w.x * position[0] + w.y * position[1] + w.z * position[2];
-      };
-      canvas.set(x, y, texel_mean(texture, x, y, uv_at, position_at));
+      canvas.set(x, y, texel_mean(procedural, placed(at_middle), dx, dy));
+    }
+  }
+}
+
+// The triangles first..end-1 of an area, and where it comes round its ends again past the seam.
+void draw_area(Canvas& canvas, const TexelRect& clip, const Procedural& procedural,
+               const BakeSurface& surface, std::uint32_t first, std::uint32_t end,
+               const UvTransform& transform, const glm::dvec2& period) {
+  constexpr std::array kTurns = {0, -1, 1};
+  for (const int i : kTurns) {
+    for (const int j : kTurns) {
+      if ((i != 0 && !(period.x > 0)) || (j != 0 && !(period.y > 0))) continue;
+      for (std::uint32_t t = first; t < end; ++t) {
+        draw_triangle(canvas, clip, procedural, surface, surface.triangles[t], transform,
+                      glm::dvec2(i, j) * period);
+      }
     }
   }
 }
@@ -171,14 +198,17 @@ BakedTexture bake(const Texture& texture, const BakeSurface& surface, const Bake
     return {bake_unit_square(texture, options.width, options.height), std::vector<UvTransform>(areas)};
   }
 
-  // A grid of equal cells, one an area, with a border inside each.
+  // A grid of equal cells, one an area, with a gutter inside each.
   const int columns =
       static_cast<int>(std::ceil(std::sqrt(static_cast<double>(std::max<std::size_t>(areas, 1)))));
-  const int rows = (static_cast<int>(areas) + columns - 1) / std::max(columns, 1);
-  const glm::dvec2 cell = glm::dvec2(1.0) / glm::dvec2(columns, std::max(rows, 1));
-  const glm::dvec2 border =
-      glm::min(glm::dvec2(kBorder) / glm::dvec2(options.width, options.height), 0.25 * cell);
-  const bool needs_border = areas > 1;
+  const int rows = std::max(1, (static_cast<int>(areas) + columns - 1) / columns);
+  const glm::dvec2 size(options.width, options.height);
+  const glm::dvec2 cell = glm::dvec2(1.0) / glm::dvec2(columns, rows);
+  const glm::dvec2 gutter = glm::min(glm::dvec2(gutter_of(options)) / size, 0.25 * cell);
+  const auto period_of = [&](std::size_t area) {
+    return area < surface.periods.size() ? surface.periods[area] : glm::dvec2(0.0);
+  };
+  const bool has_gutter = areas > 1 || period_of(0) != glm::dvec2(0.0);
 
   BakedTexture baked;
   Canvas canvas = make_canvas(options.width, options.height);
@@ -193,14 +223,15 @@ BakedTexture bake(const Texture& texture, const BakeSurface& surface, const Bake
       }
     }
     const glm::dvec2 extent = glm::max(range.high - range.low, glm::dvec2(1e-12));
-    const glm::dvec2 low =
-        glm::dvec2(static_cast<int>(area) % columns, static_cast<int>(area) / columns) * cell +
-        (needs_border ? border : glm::dvec2(0.0));
-    const glm::dvec2 inner = cell - (needs_border ? 2.0 * border : glm::dvec2(0.0));
+    const glm::dvec2 corner =
+        glm::dvec2(static_cast<int>(area) % columns, static_cast<int>(area) / columns) * cell;
+    const glm::dvec2 low = corner + (has_gutter ? gutter : glm::dvec2(0.0));
+    const glm::dvec2 inner = cell - (has_gutter ? 2.0 * gutter : glm::dvec2(0.0));
     UvTransform transform;
     if (first < end) transform = {inner / extent, low - range.low * (inner / extent)};
-    for (std::uint32_t t = first; t < end; ++t)
-      draw_triangle(canvas, texture, surface, surface.triangles[t], transform);
+    const TexelRect clip{glm::ivec2(glm::round(glm::dvec2(corner.x, 1 - corner.y - cell.y) * size)),
+                         glm::ivec2(glm::round(glm::dvec2(corner.x + cell.x, 1 - corner.y) * size))};
+    draw_area(canvas, clip, *procedural, surface, first, end, transform, period_of(area));
     baked.transforms.push_back(transform);
     first = end;
   }

@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// Based on [Perlin85] for the idea of gradient noise and turbulence, and on [Perlin02] for the quintic fade
-// and the twelve gradients to the middles of a cube's edges. Departs from them in hashing the lattice point
-// itself instead of looking it up in a table of 256, so the noise does not come round after 256 cells, and in
-// turning each octave of turbulence against the one before: else all lattices share their planes and their
-// origin, and a picture shows them as straight creases and a bright spot.
+// Based on [Perlin85] for the idea of gradient noise, and for its first form: gradients of every direction
+// and a cubic fade (the value that he adds at lattice points is 0 here, as in his own later programs); on
+// [Perlin02] for the second: the quintic fade and twelve gradients to the middles of a cube's edges. Departs
+// from them in hashing the lattice point itself instead of looking it up in a table of 256, so the noise does
+// not come round after 256 cells.
 
 #include "sweepkit/texmap/noise.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+
+#include "lattice_noise.hpp"
 
 namespace sweepkit::texmap {
 namespace {
@@ -33,67 +37,85 @@ std::uint32_t hash_z(std::uint64_t of_xy, std::int64_t z) {
   return static_cast<std::uint32_t>(((h ^ (h >> 31)) * 0xA0761D6478BD642Fu) >> 40);
 }
 
-double fade(double t) {
-  return t * t * t * (t * (t * 6 - 15) + 10);
-}
-
 double mix(double t, double a, double b) {
   return a + t * (b - a);
 }
 
-// Dot product of `offset` with the lattice point's gradient.
-double pull(std::uint32_t hash, const glm::dvec3& offset) {
-  const std::uint32_t edge = hash % 12;
-  const glm::length_t zero_axis = static_cast<glm::length_t>(edge / 4);
-  const double first = offset[(zero_axis + 1) % 3];
-  const double second = offset[(zero_axis + 2) % 3];
-  return ((edge & 1) != 0 ? -first : first) + ((edge & 2) != 0 ? -second : second);
+struct Improved {
+  static double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
+  // Dot product of `offset` with the lattice point's gradient.
+  static double pull(std::uint32_t hash, const glm::dvec3& offset) {
+    const std::uint32_t edge = hash % 12;
+    const glm::length_t zero_axis = static_cast<glm::length_t>(edge / 4);
+    const double first = offset[(zero_axis + 1) % 3];
+    const double second = offset[(zero_axis + 2) % 3];
+    return ((edge & 1) != 0 ? -first : first) + ((edge & 2) != 0 ? -second : second);
+  }
+};
+
+// 256 directions, evenly over the sphere: a spiral by the golden angle.
+std::array<glm::dvec3, 256> make_directions() {
+  std::array<glm::dvec3, 256> directions;
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double z = 1 - static_cast<double>(2 * i + 1) / 256;
+    const double r = std::sqrt(1 - z * z);
+    const double turn = golden * static_cast<double>(i);
+    directions[i] = {r * std::cos(turn), r * std::sin(turn), z};
+  }
+  return directions;
 }
 
-// A rotation by an angle that is no part of a turn about an axis that is none of the lattice's: the rows of
-// (2, -14, 23), (26, 7, 2), (-7, 22, 14) have length 27. Then away from the origin.
-glm::dvec3 turned(const glm::dvec3& p) {
-  return glm::dvec3(2 * p.x - 14 * p.y + 23 * p.z, 26 * p.x + 7 * p.y + 2 * p.z,
-                    -7 * p.x + 22 * p.y + 14 * p.z) /
-             27.0 +
-         glm::dvec3(0.37, 0.61, 0.23);
+struct Original {
+  static double fade(double t) { return t * t * (3 - 2 * t); }
+  static double pull(std::uint32_t hash, const glm::dvec3& offset) {
+    static const std::array<glm::dvec3, 256> kDirections = make_directions();
+    return glm::dot(kDirections[hash & 255], offset);
+  }
+};
+
+std::int64_t wrapped(std::int64_t cell, std::int64_t period) {
+  if (period == 0) return cell;
+  const std::int64_t rest = cell % period;
+  return rest < 0 ? rest + period : rest;
+}
+
+template <class Basis>
+double noise_of(const glm::dvec3& position, std::int64_t period_x, std::int64_t period_y) {
+  const glm::dvec3 base = glm::floor(position);
+  const glm::dvec3 f = position - base;
+  const auto x = static_cast<std::int64_t>(base.x);
+  const auto y = static_cast<std::int64_t>(base.y);
+  const auto z = static_cast<std::int64_t>(base.z);
+  const std::array<std::int64_t, 2> ys = {wrapped(y, period_y), wrapped(y + 1, period_y)};
+  const double v = Basis::fade(f.y);
+  const double w = Basis::fade(f.z);
+  std::array<double, 2> slab;  // at x and x + 1, blended along y and z
+  for (int i = 0; i < 2; ++i) {
+    const std::uint64_t of_x = hash_x(wrapped(x + i, period_x));
+    std::array<double, 2> line;
+    for (int j = 0; j < 2; ++j) {
+      const std::uint64_t of_xy = hash_y(of_x, ys[static_cast<std::size_t>(j)]);
+      line[static_cast<std::size_t>(j)] = mix(w, Basis::pull(hash_z(of_xy, z), f - glm::dvec3(i, j, 0)),
+                                              Basis::pull(hash_z(of_xy, z + 1), f - glm::dvec3(i, j, 1)));
+    }
+    slab[static_cast<std::size_t>(i)] = mix(v, line[0], line[1]);
+  }
+  return mix(Basis::fade(f.x), slab[0], slab[1]);
 }
 
 }  // namespace
 
-double noise(const glm::dvec3& position) {
+double lattice_noise(const glm::dvec3& position, NoiseBasis basis, std::int64_t period_x,
+                     std::int64_t period_y) {
   const auto is_whole = [](double value) { return !(std::abs(value) < kFarthest); };  // NaN, too
   if (is_whole(position.x) || is_whole(position.y) || is_whole(position.z)) return 0;
-  const glm::dvec3 base = glm::floor(position);
-  const glm::dvec3 f = position - base;
-  const auto y = static_cast<std::int64_t>(base.y);
-  const auto z = static_cast<std::int64_t>(base.z);
-  const double u = fade(f.x);
-  const double v = fade(f.y);
-  const double w = fade(f.z);
-  double slab[2];  // at x and x + 1, blended along y and z
-  for (int i = 0; i < 2; ++i) {
-    const std::uint64_t of_x = hash_x(static_cast<std::int64_t>(base.x) + i);
-    double line[2];
-    for (int j = 0; j < 2; ++j) {
-      const std::uint64_t of_xy = hash_y(of_x, y + j);
-      line[j] = mix(w, pull(hash_z(of_xy, z), f - glm::dvec3(i, j, 0)),
-                    pull(hash_z(of_xy, z + 1), f - glm::dvec3(i, j, 1)));
-    }
-    slab[i] = mix(v, line[0], line[1]);
-  }
-  return mix(u, slab[0], slab[1]);
+  return basis == NoiseBasis::kPerlin2002 ? noise_of<Improved>(position, period_x, period_y)
+                                          : noise_of<Original>(position, period_x, period_y);
 }
 
-double turbulence(const glm::dvec3& position, int octaves) {
-  double sum = 0;
-  double strength = 1;
-  glm::dvec3 p = position;
-  for (int i = 0; i < octaves; ++i, strength /= 2, p *= 2) {
-    p = turned(p);
-    sum += strength * std::abs(noise(p));
-  }
-  return sum;
+double noise(const glm::dvec3& position, NoiseBasis basis) {
+  return lattice_noise(position, basis, 0, 0);
 }
 
 }  // namespace sweepkit::texmap

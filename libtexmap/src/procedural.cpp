@@ -1,150 +1,173 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
+//
+// A pixel filter that is a tent of one pixel each way falls on a pattern as a tent along dx times one along
+// dy. Turned to its principal axes it is a tent along `major` times one along `minor`, with the same
+// covariance. A tent is a sum of 2 n - 1 narrower ones, exactly (the refinement of the linear B-spline), so a
+// long footprint that lies askew is cut along its major axis until each piece is about as long as it is wide:
+// then its shadows on the pattern's axes tell all there is to know of it. Footprints along the axes are not
+// cut: steps under them are exact.
+
 #include "sweepkit/texmap/procedural.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <numbers>
-#include <numeric>
-#include <span>
 
-#include "sweepkit/texmap/noise.hpp"
+#include "pattern.hpp"
 
 namespace sweepkit::texmap {
 namespace {
 
 // Past 2^52 a double has no fraction left; patterns are held there instead of turned to noise.
 constexpr double kFarthest = 4503599627370496.0;
+// Wider than any pattern's fade, and its square and those of its multiples are numbers.
+constexpr double kWidest = 1e12;
 
-using Colors = std::span<const glm::vec3>;
-
-Colors default_colors(ProceduralKind kind) {
-  static constexpr glm::vec3 kIvory(0.85f, 0.83f, 0.78f);
-  static constexpr glm::vec3 kSlate(0.06f, 0.065f, 0.07f);
-  static constexpr std::array kChecker = {kIvory, kSlate};
-  static constexpr glm::vec3 kSand(0.72f, 0.64f, 0.52f);
-  static constexpr glm::vec3 kTerracotta(0.42f, 0.14f, 0.08f);
-  static constexpr glm::vec3 kMortar(0.28f, 0.26f, 0.24f);
-  static constexpr std::array kTiles = {kSand, kTerracotta, kMortar};
-  static constexpr glm::vec3 kClay(0.72f, 0.58f, 0.36f);
-  static constexpr glm::vec3 kRust(0.32f, 0.07f, 0.035f);
-  static constexpr glm::vec3 kIndigo(0.03f, 0.07f, 0.16f);
-  static constexpr std::array kBands = {kClay, kRust, kClay, kIndigo};
-  static constexpr glm::vec3 kVein(0.16f, 0.18f, 0.23f);
-  static constexpr glm::vec3 kCloud(0.66f, 0.67f, 0.69f);
-  static constexpr glm::vec3 kWhite(0.86f, 0.85f, 0.83f);
-  static constexpr std::array kMarble = {kVein, kCloud, kWhite};
-  switch (kind) {
-    case ProceduralKind::kChecker:
-      return kChecker;
-    case ProceduralKind::kTiles:
-      return kTiles;
-    case ProceduralKind::kBands:
-      return kBands;
-    case ProceduralKind::kMarble:
-      return kMarble;
-  }
-  return kChecker;
-}
-
-std::int64_t cell(double x) {
-  return static_cast<std::int64_t>(std::floor(x));
+bool is_of_steps(ProceduralKind kind) {
+  return kind <= ProceduralKind::kBrick;
 }
 
 bool is_whole(double scale) {
   return scale >= 1 && scale == std::floor(scale);
 }
 
-glm::vec3 checker(Colors colors, const glm::dvec3& p) {
-  const std::int64_t parity = cell(2 * p.x) + cell(2 * p.y) + cell(2 * p.z);
-  return colors[(parity & 1) != 0 && colors.size() > 1 ? 1 : 0];
-}
-
-std::size_t tile_color(std::int64_t x, std::int64_t y, std::size_t count, double scale) {
-  if (count == 1) return 0;
-  if (count == 2) return static_cast<std::size_t>((x + y) & 1);
-  if (is_whole(scale)) {  // the same tile after one unit
-    const auto period = static_cast<std::int64_t>(scale);
-    x = ((x % period) + period) % period;
-    y = ((y % period) + period) % period;
+glm::dvec3 into_pattern(const Procedural& procedural, const glm::dvec3& v) {
+  if (procedural.on == ProceduralOn::kPosition) {
+    if (procedural.kind == ProceduralKind::kTiles) return procedural.scale * glm::dvec3(v.x, v.z, 0);
+    if (procedural.kind == ProceduralKind::kBrick) return procedural.scale * glm::dvec3(v.x - v.z, v.y, 0);
   }
-  std::uint64_t h = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15u +
-                    static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4Fu;
-  h = (h ^ (h >> 32)) * 0xD6E8FEB86659FD93u;
-  return static_cast<std::size_t>((h >> 33) % count);
+  return procedural.scale * v;
 }
 
-glm::vec3 tiles(Colors colors, const Procedural& procedural, double x, double y) {
-  const double half = 0.5 * procedural.grout;
-  const double fx = x - std::floor(x);
-  const double fy = y - std::floor(y);
-  const bool is_grout = fx < half || fx > 1 - half || fy < half || fy > 1 - half;
-  if (colors.size() == 1) return colors[0];
-  if (is_grout) return colors.back();
-  return colors[tile_color(cell(x), cell(y), colors.size() - 1, procedural.scale)];
-}
-
-glm::vec3 bands(Colors colors, std::span<const double> widths, double y) {
-  const double t = y - std::floor(y);
-  if (widths.size() != colors.size()) {
-    return colors[std::min(static_cast<std::size_t>(t * static_cast<double>(colors.size())),
-                           colors.size() - 1)];
+Pattern pattern_of(const Procedural& procedural) {
+  const KindDefaults defaults = defaults_of(procedural.kind);
+  Pattern pattern{.given = procedural,
+                  .colors = procedural.colors.size() < 2 ? defaults.colors : Colors(procedural.colors),
+                  .turbulence = procedural.turbulence.value_or(defaults.turbulence),
+                  .octaves = {procedural.octaves.value_or(defaults.octaves), procedural.basis}};
+  pattern.octaves.is_flat = procedural.on == ProceduralOn::kUv;
+  if (repeats_in_unit_square(procedural)) {
+    pattern.period = static_cast<std::int64_t>(procedural.scale);
+    pattern.octaves.period_x = pattern.octaves.period_y = pattern.period;
   }
-  double left = t * std::accumulate(widths.begin(), widths.end(), 0.0);
-  for (std::size_t i = 0; i + 1 < colors.size(); ++i) {
-    if (left < widths[i]) return colors[i];
-    left -= widths[i];
-  }
-  return colors.back();
+  return pattern;
 }
 
-glm::vec3 marble(Colors colors, const Procedural& procedural, const glm::dvec3& p) {
-  const double bend = procedural.turbulence * turbulence(p, std::clamp(procedural.octaves, 1, 16));
-  const double wave = 0.5 + 0.5 * std::sin(2 * std::numbers::pi * p.x + bend);
-  // The square root keeps the dark veins thin.
-  const double along = std::sqrt(wave) * static_cast<double>(colors.size() - 1);
-  const std::size_t index = std::min(static_cast<std::size_t>(along), colors.size() - 1);
-  const std::size_t next = std::min(index + 1, colors.size() - 1);
-  return glm::mix(colors[index], colors[next], static_cast<float>(along - static_cast<double>(index)));
+glm::dvec3 value(const Pattern& pattern, const PatternPlace& place) {
+  switch (pattern.given.kind) {
+    case ProceduralKind::kChecker:
+      return checker(pattern, place);
+    case ProceduralKind::kTiles:
+      return tiles(pattern, place);
+    case ProceduralKind::kBands:
+      return bands(pattern, place);
+    case ProceduralKind::kBrick:
+      return brick(pattern, place);
+    case ProceduralKind::kMarble:
+      return marble(pattern, place);
+    case ProceduralKind::kWood:
+      return wood(pattern, place);
+    case ProceduralKind::kGranite:
+      return granite(pattern, place);
+    case ProceduralKind::kClouds:
+      return clouds(pattern, place);
+    case ProceduralKind::kNoise:
+      return plain_noise(pattern, place);
+  }
+  return glm::dvec3(pattern.colors[0]);
+}
+
+// Turns the steps to the principal axes of what they span.
+void turn_to_axes(glm::dvec3& major, glm::dvec3& minor) {
+  const double a = glm::dot(major, major);
+  const double b = glm::dot(minor, minor);
+  const double c = glm::dot(major, minor);
+  const double angle = 0.5 * std::atan2(2 * c, a - b);
+  const glm::dvec3 first = std::cos(angle) * major + std::sin(angle) * minor;
+  minor = std::cos(angle) * minor - std::sin(angle) * major;
+  major = first;
+}
+
+// Into how many pieces along its major axis.
+int pieces_of(const Pattern& pattern, const PatternPlace& place) {
+  constexpr int kMostOfSteps = 16;
+  constexpr int kMostOfNoise = 4;
+  const double longest = glm::length(place.major);
+  const double aspect = longest / std::max(glm::length(place.minor), 1e-3 * longest);
+  if (!is_of_steps(pattern.given.kind)) {
+    const double finest = cells_of(pattern.given) * std::exp2(pattern.octaves.count - 1);
+    if (finest * longest < 0.2) return 1;  // even the finest octave is seen magnified
+    return static_cast<int>(std::clamp(std::nearbyint(aspect), 1.0, static_cast<double>(kMostOfNoise)));
+  }
+  // Steps: until no two of the pattern's axes hang together much.
+  for (int n = 1; n < kMostOfSteps; n *= 2) {
+    const glm::dvec3 major = place.major / static_cast<double>(n);
+    const glm::dvec3 half = PatternPlace{{}, major, place.minor}.half_widths();
+    const auto hangs = [&](glm::length_t i, glm::length_t j) {
+      return std::abs(major[i] * major[j] + place.minor[i] * place.minor[j]) > 0.25 * half[i] * half[j];
+    };
+    if (n > aspect || (!hangs(0, 1) && !hangs(1, 2) && !hangs(0, 2))) return n;
+  }
+  return kMostOfSteps;
 }
 
 }  // namespace
 
-glm::vec3 evaluate(const Procedural& procedural, glm::dvec2 uv, const glm::dvec3& position) {
-  const bool is_on_uv = procedural.on == ProceduralOn::kUv;
-  glm::dvec3 p = procedural.scale * (is_on_uv ? glm::dvec3(uv, 0) : position);
-  p = glm::clamp(p, glm::dvec3(-kFarthest), glm::dvec3(kFarthest));
-  if (p != p) p = glm::dvec3(0.0);
-  const Colors colors =
-      procedural.colors.empty() ? default_colors(procedural.kind) : Colors(procedural.colors);
-  switch (procedural.kind) {
-    case ProceduralKind::kChecker:
-      return checker(colors, p);
-    case ProceduralKind::kTiles:
-      return tiles(colors, procedural, p.x, is_on_uv ? p.y : p.z);
-    case ProceduralKind::kBands:
-      return bands(colors, procedural.widths, p.y);
-    case ProceduralKind::kMarble:
-      return marble(colors, procedural, p);
+glm::vec3 evaluate(const Procedural& procedural, const PatternFootprint& footprint) {
+  const Pattern pattern = pattern_of(procedural);
+  PatternPlace place{into_pattern(procedural, footprint.at), into_pattern(procedural, footprint.dx),
+                     into_pattern(procedural, footprint.dy)};
+  if (!std::isfinite(place.at.x + place.at.y + place.at.z)) place.at = glm::dvec3(0.0);
+  place.at = glm::clamp(place.at, glm::dvec3(-kFarthest), glm::dvec3(kFarthest));
+  if (pattern.period > 0) {  // the same bits one unit on
+    const auto period = static_cast<double>(pattern.period);
+    place.at -= period * glm::floor(place.at / period);
   }
-  return colors[0];
+  if (place.major == glm::dvec3(0.0) && place.minor == glm::dvec3(0.0)) return value(pattern, place);
+  for (glm::dvec3* axis : {&place.major, &place.minor}) {
+    const double size = std::abs(axis->x) + std::abs(axis->y) + std::abs(axis->z);
+    if (!std::isfinite(size)) return mean_of(procedural);
+    if (size > kWidest) *axis *= kWidest / size;
+  }
+  turn_to_axes(place.major, place.minor);
+  const int pieces = pieces_of(pattern, place);
+  const glm::dvec3 step = place.major / static_cast<double>(pieces);
+  glm::dvec3 sum(0.0);
+  for (int k = 1 - pieces; k < pieces; ++k) {
+    const double weight = static_cast<double>(pieces - std::abs(k)) / (pieces * pieces);
+    sum += weight * value(pattern, {place.at + static_cast<double>(k) * step, step, place.minor});
+  }
+  return sum;
+}
+
+glm::vec3 evaluate(const Procedural& procedural, glm::dvec2 uv, const glm::dvec3& position) {
+  return evaluate(procedural, {procedural.on == ProceduralOn::kUv ? glm::dvec3(uv, 0) : position});
+}
+
+glm::vec3 mean_of(const Procedural& procedural) {
+  constexpr double kWide = 1e9;  // in units of the pattern
+  return value(pattern_of(procedural), {{}, glm::dvec3(kWide), glm::dvec3(0.0)});
 }
 
 bool repeats_in_unit_square(const Procedural& procedural) {
-  if (procedural.on != ProceduralOn::kUv || !is_whole(procedural.scale)) return false;
+  if (procedural.on != ProceduralOn::kUv || !is_whole(procedural.scale) || procedural.scale > 1e9)
+    return false;
   switch (procedural.kind) {
-    case ProceduralKind::kChecker:
-      return true;
     // Two tile colours stand like a chessboard, which closes after an even number.
     case ProceduralKind::kTiles:
       return !(procedural.colors.size() == 3 || procedural.colors.empty()) ||
              std::fmod(procedural.scale, 2) == 0;
+    case ProceduralKind::kBrick:
+      return courses_come_round(procedural);
+    case ProceduralKind::kWood:
+      return is_whole(procedural.scale * procedural.rings);
+    case ProceduralKind::kChecker:
     case ProceduralKind::kBands:
-      return true;
     case ProceduralKind::kMarble:
-      return false;
+    case ProceduralKind::kGranite:
+    case ProceduralKind::kClouds:
+    case ProceduralKind::kNoise:
+      return true;
   }
   return false;
 }

@@ -31,7 +31,10 @@ const std::string kEverything = R"(// line
     "stone": {"procedural": "marble", "on": "position", "colors": [[0, 0, 0], [1, 1, 1]], "scale": 2, "turbulence": 3, "octaves": 4},
     "tiles": {"procedural": "tiles", "grout": 0.25},
     "bands": {"procedural": "bands", "colors": [[0, 0, 0], [1, 1, 1]], "widths": [1, 3]},
-    "check": {"procedural": "checker"}
+    "check": {"procedural": "checker"},
+    "wall": {"procedural": "brick", "mortar": 0.2, "ratio": 2.5, "bond": 0.25},
+    "oak": {"procedural": "wood", "on": "uv", "rings": 12, "grain": 0.1, "turbulence": 0, "octaves": 2, "basis": "perlin-1985"},
+    "sky": {"procedural": "clouds", "coverage": 0.3}
   },
   "materials": {
     "m": {"diffuse": [0.1, 0.2, 0.3], "texture": "stone", "specular": [0.4, 0.5, 0.6], "shininess": 7, "reflect": 0.5},
@@ -83,6 +86,20 @@ TEST(Document, HoldsWhatTheFileSays) {
   EXPECT_EQ(std::get<texmap::Procedural>(document.textures[2].source).grout, 0.25);
   EXPECT_EQ(std::get<texmap::Procedural>(document.textures[3].source).widths, (std::vector<double>{1, 3}));
   EXPECT_EQ(std::get<texmap::Procedural>(document.textures[4].source).on, texmap::ProceduralOn::kUv);
+  EXPECT_EQ(std::get<texmap::Procedural>(document.textures[5].source),
+            (texmap::Procedural{
+                .kind = texmap::ProceduralKind::kBrick, .mortar = 0.2, .ratio = 2.5, .bond = 0.25}));
+  EXPECT_EQ(std::get<texmap::Procedural>(document.textures[6].source),
+            (texmap::Procedural{.kind = texmap::ProceduralKind::kWood,
+                                .rings = 12,
+                                .grain = 0.1,
+                                .turbulence = 0,
+                                .octaves = 2,
+                                .basis = texmap::NoiseBasis::kPerlin1985}));
+  EXPECT_EQ(
+      std::get<texmap::Procedural>(document.textures[7].source),
+      (texmap::Procedural{
+          .kind = texmap::ProceduralKind::kClouds, .on = texmap::ProceduralOn::kPosition, .coverage = 0.3}));
 
   ASSERT_EQ(document.materials.size(), 2u);
   const Material& material = document.materials[0];

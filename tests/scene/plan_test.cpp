@@ -63,10 +63,23 @@ TEST(Plan, AnImageThatIsNotFilteredNeedsItsTilesAndTexcoords) {
             (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords}));
 }
 
-TEST(Plan, ProceduralTexturesNeedNoTable) {
-  EXPECT_EQ(needed(scene_of(R"("texture": "tiles")"), kPicture),
+TEST(Plan, ProceduralTexturesNeedRowsButNoTable) {
+  for (const texmap::Filter filter :
+       {texmap::Filter::kBilinear, texmap::Filter::kTrilinear, texmap::Filter::kIntegral1,
+        texmap::Filter::kEwa, texmap::Filter::kAuto}) {
+    const Request request{.product = Product::kPicture, .filter = filter};
+    EXPECT_EQ(needed(scene_of(R"("texture": "tiles")"), request),
+              (std::set{Part::kTextures, Part::kTexcoords, Part::kFilteredNodes, Part::kRows}));
+    EXPECT_EQ(needed(scene_of(R"("texture": "marble")"), request),
+              (std::set{Part::kTextures, Part::kFilteredNodes, Part::kRows}));
+  }
+}
+
+TEST(Plan, ProceduralTexturesAtPointsNeedNoRows) {
+  const Request request{.product = Product::kPicture, .filter = texmap::Filter::kPoint};
+  EXPECT_EQ(needed(scene_of(R"("texture": "tiles")"), request),
             (std::set{Part::kTextures, Part::kTexcoords}));
-  EXPECT_EQ(needed(scene_of(R"("texture": "marble")"), kPicture), std::set{Part::kTextures});
+  EXPECT_EQ(needed(scene_of(R"("texture": "marble")"), request), std::set{Part::kTextures});
 }
 
 TEST(Plan, AFileNeedsTexturesAndBakesButNothingOfAPicture) {

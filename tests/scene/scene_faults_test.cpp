@@ -183,9 +183,9 @@ TEST(SceneFaults, Textures) {
        "s.json:4:25: /textures/t/wrap: needs \"repeat\", \"clamp\" or \"mirror\", got \"once\""},
       {texture("{\"image\": \"x\", \"color_space\": \"rgb\"}"),
        "s.json:4:32: /textures/t/color_space: needs \"srgb\" or \"linear\", got \"rgb\""},
-      {texture("{\"procedural\": \"wood\"}"),
-       "s.json:4:17: /textures/t/procedural: needs \"checker\", \"tiles\", \"bands\" or \"marble\", got "
-       "\"wood\""},
+      {texture("{\"procedural\": \"stone\"}"),
+       "s.json:4:17: /textures/t/procedural: needs \"checker\", \"tiles\", \"bands\", \"brick\", \"marble\", "
+       "\"wood\", \"granite\", \"clouds\" or \"noise\", got \"stone\""},
       {texture("{\"procedural\": \"tiles\", \"grout\": 2}"),
        "s.json:4:35: /textures/t/grout: needs to be at least 0 and at most 1, got 2"},
       {texture("{\"procedural\": \"tiles\", \"on\": \"xyz\"}"),
@@ -207,6 +207,50 @@ TEST(SceneFaults, Textures) {
       {texture("{\"procedural\": \"marble\", \"turbulence\": -1}"),
        "s.json:4:41: /textures/t/turbulence: needs to be at least 0 and at most 1000, got -1"},
   });
+}
+
+TEST(SceneFaults, KeysOfProceduralTextures) {
+  // A texture of a kind with one number out of its range; what is told of it.
+  struct Number {
+    std::string kind, key, value, range;
+  };
+  const std::vector<Number> numbers = {
+      {"brick", "mortar", "1.5", "at least 0 and at most 1"},
+      {"brick", "mortar", "-0.1", "at least 0 and at most 1"},
+      {"brick", "ratio", "0.01", "at least 0.1 and at most 100"},
+      {"brick", "ratio", "101", "at least 0.1 and at most 100"},
+      {"brick", "bond", "2", "at least 0 and at most 1"},
+      {"wood", "rings", "0", "at least 0.01 and at most 1e+06"},
+      {"wood", "rings", "1e7", "at least 0.01 and at most 1e+06"},
+      {"wood", "grain", "-1", "at least 0 and at most 1"},
+      {"wood", "turbulence", "1001", "at least 0 and at most 1000"},
+      {"clouds", "coverage", "1.1", "at least 0 and at most 1"},
+      {"granite", "octaves", "0", "at least 1 and at most 16"},
+      {"noise", "octaves", "17", "at least 1 and at most 16"},
+  };
+  for (const auto& [kind, key, value, range] : numbers) {
+    const std::string message = fault_of(
+        with_line(R"("textures": {"t": {"procedural": ")" + kind + R"(", ")" + key + "\": " + value + "}}"));
+    EXPECT_NE(message.find("/textures/t/" + key + ": needs to be " + range + ", got "), std::string::npos)
+        << message;
+  }
+  // Keys of other kinds are not known.
+  for (const char* rest :
+       {R"("checker", "mortar": 0.1)", R"("tiles", "mortar": 0.1)", R"("brick", "grout": 0.1)",
+        R"("brick", "octaves": 2)", R"("marble", "rings": 2)", R"("granite", "turbulence": 1)",
+        R"("wood", "coverage": 0.5)", R"("noise", "grain": 0.5)", R"("tiles", "basis": "perlin-1985")"}) {
+    const std::string message =
+        fault_of(with_line(std::string(R"("textures": {"t": {"procedural": )") + rest + "}}"));
+    EXPECT_NE(message.find("unknown key"), std::string::npos) << rest << ": " << message;
+  }
+  EXPECT_NE(fault_of(with_line(R"("textures": {"t": {"procedural": "noise", "basis": "simplex"}})"))
+                .find(R"(/textures/t/basis: needs "perlin-2002" or "perlin-1985", got "simplex")"),
+            std::string::npos);
+  std::string many = "[0, 0, 0]";
+  for (int i = 0; i < 256; ++i) many += ", [1, 1, 1]";
+  EXPECT_NE(fault_of(with_line(R"("textures": {"t": {"procedural": "noise", "colors": [)" + many + "]}}"))
+                .find("/textures/t/colors: needs at most 256 colours, got 257"),
+            std::string::npos);
 }
 
 TEST(SceneFaults, Materials) {

@@ -76,6 +76,138 @@ TEST(Bake, ResamplesAnImageByTheMeanOfWhatATexelCovers) {
   EXPECT_NEAR(baked.image.color(1, 0).r, 0, 1e-4);
 }
 
+// An upright tube of radius 1 and height 1, 64 cells round, its seam at u = 0 and 1.
+struct Tube {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec2> texcoords;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> area_ends;
+  std::vector<glm::dvec2> periods = {{1, 0}};
+
+  Tube() {
+    for (std::uint32_t i = 0; i <= 64; ++i) {
+      const double turn = 2 * 3.14159265358979323846 * (i % 64) / 64;
+      for (std::uint32_t j = 0; j < 2; ++j) {
+        positions.emplace_back(std::cos(turn), j, -std::sin(turn));
+        texcoords.emplace_back(i / 64.0, j);
+        if (i == 64) continue;
+        const std::uint32_t p = 2 * i;
+        triangles.push_back(j == 0 ? std::array{p + 1, p, p + 2} : std::array{p + 2, p + 3, p + 1});
+      }
+    }
+    area_ends = {static_cast<std::uint32_t>(triangles.size())};
+  }
+  BakeSurface surface() const { return {positions, texcoords, triangles, area_ends, {}, periods}; }
+};
+
+TEST(Bake, GoesOnPastTheSeamOfWhatComesRound) {
+  const Tube tube;
+  for (const ProceduralOn on : {ProceduralOn::kPosition, ProceduralOn::kUv}) {
+    const Procedural marble{.kind = ProceduralKind::kMarble, .on = on, .scale = 0.7};
+    const BakedTexture baked = bake(marble, tube.surface(), {256, 64});
+    const UvTransform& t = baked.transforms[0];
+    // The texel's place of (u,v), and the texels to either side of the seam's two places: a whole number of
+    // texels apart or not, they are interpolated as a viewer does.
+    const auto at = [&](double u, double v) {
+      const glm::dvec2 uv = t.offset + t.scale * glm::dvec2(u, v);
+      const double x = uv.x * 256 - 0.5;
+      const auto column = static_cast<int>(std::floor(x));
+      const auto row = static_cast<int>((1 - uv.y) * 64);
+      const float share = static_cast<float>(x - column);
+      return (1 - share) * baked.image.color(column, row) + share * baked.image.color(column + 1, row);
+    };
+    const double texel = 1 / (t.scale.x * 256);
+    for (double v = 0.05; v < 1; v += 0.1) {
+      for (const double past : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
+        // Interpolated from two texels of other places, a vein of slope 8 a unit bends by 1 % at most.
+        EXPECT_NEAR(at(past * texel, v).r, at(1 + past * texel, v).r, 0.02) << past;
+      }
+    }
+    // And the gutter is no copy of the edge.
+    double differs = 0;
+    for (double v = 0.05; v < 1; v += 0.1) differs += std::abs(at(-3 * texel, v).r - at(0.5 * texel, v).r);
+    EXPECT_GT(differs, 0.05);
+  }
+}
+
+TEST(Bake, AGutterKeepsAreasApartOnTwoMoreLevels) {
+  // Black and white squares: what a filter reads of the black one stays black as far as the gutter goes.
+  const TwoSquares squares;
+  const Procedural halves{.kind = ProceduralKind::kBands,
+                          .on = ProceduralOn::kPosition,
+                          .colors = {glm::vec3(0), glm::vec3(1)},
+                          .scale = 1.0 / 4};
+  std::vector<glm::vec3> positions = squares.positions;
+  for (std::size_t i = 0; i < positions.size(); ++i) positions[i].y = i < 4 ? 0.5f : 2.5f;
+  BakeSurface surface = squares.surface();
+  surface.positions = positions;
+  const BakedTexture baked = bake(halves, surface, {512, 512});
+  std::vector<float> level(512 * 512);
+  for (int y = 0; y < 512; ++y) {
+    for (int x = 0; x < 512; ++x) level[static_cast<std::size_t>(512 * y + x)] = baked.image.color(x, y).r;
+  }
+  for (int side = 256; side >= 128; side /= 2) {
+    std::vector<float> coarser(static_cast<std::size_t>(side * side));
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        float sum = 0;
+        for (const int k : {0, 1, 2 * side, 2 * side + 1})
+          sum += level[static_cast<std::size_t>(2 * y * 2 * side + 2 * x + k)];
+        coarser[static_cast<std::size_t>(side * y + x)] = sum / 4;
+      }
+    }
+    level = coarser;
+    for (std::size_t area = 0; area < 2; ++area) {
+      const UvTransform& t = baked.transforms[area];
+      for (const glm::dvec2 corner :
+           {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
+        const glm::dvec2 uv = t.offset + t.scale * corner;
+        const glm::dvec2 p = glm::dvec2(uv.x, 1 - uv.y) * static_cast<double>(side) - 0.5;
+        for (int k = 0; k < 4; ++k) {
+          const int x = std::clamp(static_cast<int>(std::floor(p.x)) + k % 2, 0, side - 1);
+          const int y = std::clamp(static_cast<int>(std::floor(p.y)) + k / 2, 0, side - 1);
+          EXPECT_EQ(level[static_cast<std::size_t>(side * y + x)], static_cast<float>(area)) << side;
+        }
+      }
+    }
+  }
+}
+
+// Each texel against the mean of 16 x 16 points of it, beside the mean of 4 x 4.
+TEST(Bake, TexelsAreTheirMeans) {
+  constexpr int kSide = 19;
+  const auto mean_of_points = [](const Procedural& procedural, int x, int y, int points) {
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < points * points; ++i) {
+      const glm::dvec2 p((x + (i % points + 0.5) / points) / kSide,
+                         1 - (y + (i / points + 0.5) / points) / kSide);
+      sum += glm::dvec3(evaluate(procedural, p, {}));
+    }
+    return sum / static_cast<double>(points * points);
+  };
+  for (std::size_t kind = 0; kind < kProceduralNames.size(); ++kind) {
+    const double scale = kind < 4 ? 4 : 1;
+    const Procedural procedural{.kind = static_cast<ProceduralKind>(kind), .scale = scale};
+    const Image image = bake(procedural, {}, {kSide, kSide}).image;
+    double baked = 0;
+    double points = 0;
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x) {
+        const glm::dvec3 mean = mean_of_points(procedural, x, y, 16);
+        const glm::dvec3 off = glm::dvec3(image.color(x, y)) - mean;
+        const glm::dvec3 off_points = mean_of_points(procedural, x, y, 4) - mean;
+        baked += glm::dot(off, off);
+        points += glm::dot(off_points, off_points);
+      }
+    }
+    const double count = 3.0 * kSide * kSide;
+    RecordProperty(std::string(kProceduralNames[kind]), std::to_string(std::sqrt(baked / count)) + " " +
+                                                            std::to_string(std::sqrt(points / count)));
+    // As points or better, but for the noise of so few texels.
+    EXPECT_LT(std::sqrt(baked / count), 1.1 * std::sqrt(points / count) + 1e-3) << kProceduralNames[kind];
+  }
+}
+
 TEST(Bake, RefusesSizesOutOfRange) {
   const TwoSquares squares;
   EXPECT_THROW(bake(Procedural{}, squares.surface(), {0, 5}), InputError);

@@ -8,6 +8,7 @@
 #include "output.hpp"
 #include "scene_input.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/scene/bake_over.hpp"
 #include "sweepkit/scene/model.hpp"
 #include "sweepkit/scene/output_file.hpp"
 #include "sweepkit/texmap/bake.hpp"
@@ -25,11 +26,7 @@ struct Bake {
 texmap::BakedTexture bake_only_object(const scene::Scene& scene, const texmap::BakeOptions& options) {
   const scene::Object& object = scene.objects.front();
   const scene::MeshView& mesh = scene.meshes[object.mesh];
-  std::vector<std::uint32_t> area_ends;
-  for (const sweep::Area& area : mesh.areas) area_ends.push_back(area.first_triangle + area.triangle_count);
-  const std::size_t texture = *scene.materials[*object.material].texture;
-  return texmap::bake(scene.textures[texture],
-                      {mesh.positions, mesh.texcoords, mesh.triangles, area_ends, mesh.origin}, options);
+  return scene::bake_over(mesh, scene.textures[*scene.materials[*object.material].texture], options);
 }
 
 void bake(const Bake& command) {

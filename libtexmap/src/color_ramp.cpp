@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "color_ramp.hpp"
+
+#include <algorithm>
+
+namespace sweepkit::texmap {
+
+double mean_kink(double t, const Spread& spread) {
+  const double sigma = std::sqrt(std::max(0.0, spread.variance));
+  // Six sigma off the density is below 1e-8.
+  if (!(std::abs(t) < 6 * sigma)) return std::max(0.0, t);
+  const double z = t / sigma;
+  const double density = std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
+  const double below = 0.5 * std::erfc(-z / std::numbers::sqrt2);
+  const double third = spread.third / (sigma * sigma * sigma);
+  const double fourth = spread.fourth / (sigma * sigma * sigma * sigma);
+  return sigma * (z * below + density * (1 - third / 6 * z + fourth / 24 * (z * z - 1)));
+}
+
+}  // namespace sweepkit::texmap
