@@ -5,7 +5,8 @@
 // pixel covers; neighbours are the nodes on the same reflection and refraction path that hit the same area of
 // the same object. The trees of the nine pixels are descended together, so that nodes met together are on the
 // same path. Departs from the paper in asking for one neighbour beside and one above or below, not for all
-// eight, unless told to: a silhouette then is filtered as well.
+// eight, unless told to: a silhouette then is filtered as well. Where not even those are there (something one
+// pixel wide), the footprint comes from the derivatives of the pixel's own ray (ray_differential.hpp).
 //
 // colour = ambient d + sum over lights of V I (d N.L + specular (N.H)^shininess) + reflect R, d = diffuse
 // times texture.
@@ -40,8 +41,8 @@ LightSample sample(const scene::Light& light, const glm::dvec3& from) {
 
 }  // namespace
 
-glm::dvec3 Shader::pixel(const RowWindow& rows, int x, texmap::FilterThread& filter,
-                         ShadingCounts& counts) const {
+glm::dvec3 Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, int y,
+                         texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t root = rows[1]->root(x);
   if (root < 0) return glm::dvec3(scene_.background);
   Neighbourhood nodes;
@@ -51,11 +52,12 @@ glm::dvec3 Shader::pixel(const RowWindow& rows, int x, texmap::FilterThread& fil
       for (std::size_t c = 0; c < 3; ++c) nodes[r][c] = rows[r]->root(x + static_cast<int>(c) - 1);
     }
   }
-  return node(rows, nodes, filter, counts);
+  const Path path{&rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, &eye_rays, x, y};
+  return node(rows, nodes, path, filter, counts);
 }
 
-glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, texmap::FilterThread& filter,
-                        ShadingCounts& counts) const {
+glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const Path& path,
+                        texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t index = nodes[1][1];
   const TreeNode& at = rows[1]->nodes[static_cast<std::size_t>(index)];
   const scene::Material& material = material_of(scene_, at.hit.object);
@@ -72,10 +74,11 @@ glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, texma
       for (std::size_t c = 0; c < 3; ++c)
         children[r][c] = nodes[r][c] >= 0 ? rows[r]->reflection(nodes[r][c]) : kNotTraced;
     }
-    reflection = node(rows, children, filter, counts);
+    const Path longer{&rows[1]->nodes[static_cast<std::size_t>(child)], &path, path.eye_rays, path.x, path.y};
+    reflection = node(rows, children, longer, filter, counts);
   }
   ++counts.nodes;
-  const glm::dvec3 color = diffuse(rows, nodes, material, filter, counts);
+  const glm::dvec3 color = diffuse(rows, nodes, path, material, filter, counts);
   return local_light(at, material, color, counts) + static_cast<double>(material.reflect) * reflection;
 }
 
@@ -114,8 +117,17 @@ std::optional<glm::vec3> Shader::filtered(const RowWindow& rows, const Neighbour
   return sampler.sample(*footprint, filter);
 }
 
-glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const scene::Material& material,
-                           texmap::FilterThread& filter, ShadingCounts& counts) const {
+RayDifferential Shader::differential(const Path& path) const {
+  if (path.from == nullptr) return path.eye_rays->differential(path.x, path.y);
+  const RayDifferential ray = differential(*path.from);
+  const TreeNode& mirror = *path.from->node;
+  return reflected(tracer_, mirror.hit, mirror.direction, ray,
+                   at_hit(tracer_, mirror.hit, mirror.direction, ray));
+}
+
+glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const Path& path,
+                           const scene::Material& material, texmap::FilterThread& filter,
+                           ShadingCounts& counts) const {
   const glm::dvec3 base(material.diffuse);
   if (!material.texture) return base;
   ++counts.textured;
@@ -128,7 +140,13 @@ glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, co
         return base * glm::dvec3(*color);
       }
     }
-    // No neighbour tells how large the pixel is here: as large as a texel, then.
+    if (uses_differentials_) {
+      ++counts.differentials;
+      const TreeNode& at = *path.node;
+      const HitDifferential moved = at_hit(tracer_, at.hit, at.direction, differential(path));
+      return base * glm::dvec3(sampler->sample(footprint_of(tracer_, at.hit, moved, uv), filter));
+    }
+    // Nothing tells how large the pixel is here: as large as a texel, then.
     return base * glm::dvec3(sampler->sample({uv}, filter));
   }
   const TreeNode& at = rows[1]->nodes[own];
