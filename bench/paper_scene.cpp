@@ -38,7 +38,8 @@ struct Method {
 scene::Plan plan_for(const scene::Document& document, const render::Options& options) {
   return scene::plan(document, {.product = scene::Request::Product::kPicture,
                                 .filter = options.filter,
-                                .is_supersampled = options.supersampling > 1});
+                                .is_supersampled = options.supersampling > 1,
+                                .has_differentials = options.footprint != render::Footprint::kNeighbours});
 }
 
 // What filtering adds to shading, a node: both pictures drawn in turn on one thread, the median of the

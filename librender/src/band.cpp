@@ -22,6 +22,7 @@ void BandCounts::add(const BandCounts& other) {
   shading.nodes += other.shading.nodes;
   shading.textured += other.shading.textured;
   shading.filtered += other.shading.filtered;
+  shading.differentials += other.shading.differentials;
   shade_seconds += other.shade_seconds;
   row_bytes = std::max(row_bytes, other.row_bytes);
   link_bytes = std::max(link_bytes, other.link_bytes);
@@ -71,7 +72,7 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
     }
     const Clock::time_point start = Clock::now();
     for (int x = 0; x < width_; ++x)
-      colors[static_cast<std::size_t>(x)] = shader_.pixel(window, x, filter, counts.shading);
+      colors[static_cast<std::size_t>(x)] = shader_.pixel(window, eye_rays_, x, y, filter, counts.shading);
     counts.shade_seconds += std::chrono::duration<double>(Clock::now() - start).count();
 
     const int k = y % supersampling_;

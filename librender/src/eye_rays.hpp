@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "ray.hpp"
+#include "ray_differential.hpp"
 #include "sweepkit/scene/camera.hpp"
 
 namespace sweepkit::render {
@@ -23,11 +24,22 @@ class EyeRays {
     corner_ = -axes[2] - 0.5 * width * across_ - 0.5 * height * down_;
   }
 
-  Ray through(int x, int y) const {
-    return {eye_, glm::normalize(corner_ + (x + 0.5) * across_ + (y + 0.5) * down_)};
+  Ray through(int x, int y) const { return {eye_, glm::normalize(towards(x, y))}; }
+
+  RayDifferential differential(int x, int y) const {
+    const glm::dvec3 to = towards(x, y);
+    const double length = glm::length(to);
+    const glm::dvec3 direction = to / length;
+    // Of a vector made unit.
+    const auto turned = [&](const glm::dvec3& step) {
+      return (step - glm::dot(direction, step) * direction) / length;
+    };
+    return {.direction_x = turned(across_), .direction_y = turned(down_)};
   }
 
  private:
+  glm::dvec3 towards(int x, int y) const { return corner_ + (x + 0.5) * across_ + (y + 0.5) * down_; }
+
   glm::dvec3 eye_;
   glm::dvec3 corner_;
   glm::dvec3 across_;

@@ -12,14 +12,8 @@
 namespace sweepkit::render {
 namespace {
 
-// The reflected ray. The interpolated normal can bend it into the surface at a grazing angle; there the
-// face's own is taken.
 Ray reflected(const Hit& hit, const SurfacePoint& point, const glm::dvec3& direction) {
-  const auto mirrored = [&](const glm::dvec3& normal) {
-    return direction - 2 * glm::dot(direction, normal) * normal;
-  };
-  glm::dvec3 out = mirrored(point.shading_normal);
-  if (!(glm::dot(out, point.face_normal) > 0)) out = mirrored(point.face_normal);
+  const glm::dvec3 out = mirrored(direction, mirror_normal(point, direction).normal);
   return leave_surface(hit, point, point.position, glm::normalize(out));
 }
 

@@ -85,6 +85,7 @@ void fill_ledger(scene::Ledger& ledger, const BandCounts& counts, const Tracer& 
   using scene::Part;
   ledger[Part::kTexcoords] = {counts.texcoord_bytes, counts.rays.texcoords};
   ledger[Part::kFilteredNodes] = {0, counts.shading.filtered};
+  ledger[Part::kDifferentials] = {0, counts.shading.differentials};
   ledger[Part::kRows] = {counts.row_bytes, counts.row_bytes > 0 ? 2u : 0u};
   ledger[Part::kTrees] = {counts.link_bytes, counts.rays.reflected};
   ledger[Part::kShadows] = {0, counts.shading.shadow_rays};
@@ -158,6 +159,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   statistics.shadow_rays = total.shading.shadow_rays;
   statistics.nodes = total.shading.nodes;
   statistics.filtered_nodes = total.shading.filtered;
+  statistics.differential_nodes = total.shading.differentials;
   statistics.textured_nodes = total.shading.textured;
   statistics.shade_thread_seconds = total.shade_seconds;
   fill_ledger(picture.ledger, total, tracer);

@@ -5,7 +5,8 @@
 // pixel covers; neighbours are the nodes on the same reflection and refraction path that hit the same area of
 // the same object. The trees of the nine pixels are descended together, so that nodes met together are on the
 // same path. Departs from the paper in asking for one neighbour beside and one above or below, not for all
-// eight, unless told to: a silhouette then is filtered as well.
+// eight, unless told to: a silhouette then is filtered as well. Where not even those are there (something one
+// pixel wide), the footprint comes from the derivatives of the pixel's own ray (ray_differential.hpp).
 //
 // colour = ambient d + sum over lights of V I (d N.L + specular (N.H)^shininess) + reflect R, d = diffuse
 // times texture.
@@ -40,8 +41,8 @@ LightSample sample(const scene::Light& light, const glm::dvec3& from) {
 
 }  // namespace
 
-glm::dvec3 Shader::pixel(const RowWindow& rows, int x, texmap::FilterThread& filter,
-                         ShadingCounts& counts) const {
+glm::dvec3 Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, int y,
+                         texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t root = rows[1]->root(x);
   if (root < 0) return glm::dvec3(scene_.background);
   Neighbourhood nodes;
@@ -51,11 +52,12 @@ glm::dvec3 Shader::pixel(const RowWindow& rows, int x, texmap::FilterThread& fil
       for (std::size_t c = 0; c < 3; ++c) nodes[r][c] = rows[r]->root(x + static_cast<int>(c) - 1);
     }
   }
-  return node(rows, nodes, filter, counts);
+  const Path path{&rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, &eye_rays, x, y};
+  return node(rows, nodes, path, filter, counts);
 }
 
-glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, texmap::FilterThread& filter,
-                        ShadingCounts& counts) const {
+glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const Path& path,
+                        texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t index = nodes[1][1];
   const TreeNode& at = rows[1]->nodes[static_cast<std::size_t>(index)];
   const scene::Material& material = material_of(scene_, at.hit.object);
@@ -72,10 +74,11 @@ glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, texma
       for (std::size_t c = 0; c < 3; ++c)
         children[r][c] = nodes[r][c] >= 0 ? rows[r]->reflection(nodes[r][c]) : kNotTraced;
     }
-    reflection = node(rows, children, filter, counts);
+    const Path longer{&rows[1]->nodes[static_cast<std::size_t>(child)], &path, path.eye_rays, path.x, path.y};
+    reflection = node(rows, children, longer, filter, counts);
   }
   ++counts.nodes;
-  const glm::dvec3 color = diffuse(rows, nodes, material, filter, counts);
+  const glm::dvec3 color = diffuse(rows, nodes, path, material, filter, counts);
   return local_light(at, material, color, counts) + static_cast<double>(material.reflect) * reflection;
 }
 
@@ -147,6 +150,9 @@ std::optional<texmap::PatternFootprint> Shader::pattern_footprint(const RowWindo
     }
     return way;
   };
+  for (std::size_t at_index = 0; footprint_ == Footprint::kNeighbours && at_index < 9; ++at_index) {
+    if (!way_to(at_index / 3, at_index % 3)) return std::nullopt;
+  }
   // Half the way between the two beside, or to the one that is there.
   const auto step = [](const std::optional<glm::dvec3>& before, const std::optional<glm::dvec3>& after) {
     if (before && after) return std::optional(0.5 * (*after - *before));
@@ -158,8 +164,21 @@ std::optional<texmap::PatternFootprint> Shader::pattern_footprint(const RowWindo
   return texmap::PatternFootprint{here, *dx, *dy};
 }
 
-glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const scene::Material& material,
-                           texmap::FilterThread& filter, ShadingCounts& counts) const {
+RayDifferential Shader::differential(const Path& path) const {
+  if (path.from == nullptr) return path.eye_rays->differential(path.x, path.y);
+  const RayDifferential ray = differential(*path.from);
+  const TreeNode& mirror = *path.from->node;
+  return reflected(tracer_, mirror.hit, mirror.direction, ray,
+                   at_hit(tracer_, mirror.hit, mirror.direction, ray));
+}
+
+HitDifferential Shader::moved_hit(const Path& path) const {
+  return at_hit(tracer_, path.node->hit, path.node->direction, differential(path));
+}
+
+glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const Path& path,
+                           const scene::Material& material, texmap::FilterThread& filter,
+                           ShadingCounts& counts) const {
   const glm::dvec3 base(material.diffuse);
   if (!material.texture) return base;
   ++counts.textured;
@@ -172,17 +191,36 @@ glm::dvec3 Shader::diffuse(const RowWindow& rows, const Neighbourhood& nodes, co
         return base * glm::dvec3(*color);
       }
     }
-    // No neighbour tells how large the pixel is here: as large as a texel, then.
+    if (uses_differentials_ && texmap::reads_footprint(filter_)) {
+      ++counts.differentials;
+      return base *
+             glm::dvec3(sampler->sample(footprint_of(tracer_, path.node->hit, moved_hit(path), uv), filter));
+    }
+    // Nothing tells how large the pixel is here: as large as a texel, then.
     return base * glm::dvec3(sampler->sample({uv}, filter));
   }
   const auto& procedural = std::get<texmap::Procedural>(scene_.textures[*material.texture]);
-  if (looks_round_ && filter_ != texmap::Filter::kPoint) {
+  if (looks_round_) {
     if (const auto footprint = pattern_footprint(rows, nodes, procedural.on)) {
       ++counts.filtered;
       return base * glm::dvec3(texmap::evaluate(procedural, *footprint));
     }
   }
-  return base * glm::dvec3(texmap::evaluate(procedural, {pattern_place(*rows[1], own, procedural.on)}));
+  texmap::PatternFootprint footprint{pattern_place(*rows[1], own, procedural.on)};
+  if (uses_differentials_) {
+    ++counts.differentials;
+    const HitDifferential moved = moved_hit(path);
+    if (procedural.on == texmap::ProceduralOn::kUv) {
+      const texmap::Footprint on_uv = footprint_of(tracer_, path.node->hit, moved, uv);
+      footprint.dx = glm::dvec3(on_uv.dx, 0);
+      footprint.dy = glm::dvec3(on_uv.dy, 0);
+    } else {
+      const glm::dmat3 to_mesh(tracer_.object(path.node->hit.object).mesh_from_world);
+      footprint.dx = to_mesh * moved.x;
+      footprint.dy = to_mesh * moved.y;
+    }
+  }
+  return base * glm::dvec3(texmap::evaluate(procedural, footprint));
 }
 
 glm::dvec3 Shader::local_light(const TreeNode& at, const scene::Material& material, const glm::dvec3& diffuse,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "intersection_tree.hpp"
+#include "ray_differential.hpp"
 #include "sweepkit/render/render.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
@@ -31,6 +32,7 @@ struct ShadingCounts {
   std::uint64_t nodes = 0;
   std::uint64_t textured = 0;
   std::uint64_t filtered = 0;
+  std::uint64_t differentials = 0;
 };
 
 /// Shades a pixel's tree from its deepest node up (the paper's 3.2.2).
@@ -43,19 +45,36 @@ class Shader {
         samplers_(samplers),
         filter_(filter),
         footprint_(footprint),
-        looks_round_(plan.needs_part(scene::Part::kFilteredNodes)) {}
+        looks_round_(plan.needs_part(scene::Part::kFilteredNodes)),
+        uses_differentials_(plan.needs_part(scene::Part::kDifferentials) &&
+                            footprint != Footprint::kNeighbours) {}
 
-  glm::dvec3 pixel(const RowWindow& rows, int x, texmap::FilterThread& filter, ShadingCounts& counts) const;
+  /// Pixel (x, y), whose eye ray is one of `eye_rays`.
+  glm::dvec3 pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, int y, texmap::FilterThread& filter,
+                   ShadingCounts& counts) const;
 
  private:
   // The nodes of the same path in the 3 x 3 pixels about one, [1][1] the pixel's own; below 0 where there is
   // none.
   using Neighbourhood = std::array<std::array<std::int32_t, 3>, 3>;
 
-  glm::dvec3 node(const RowWindow& rows, const Neighbourhood& nodes, texmap::FilterThread& filter,
-                  ShadingCounts& counts) const;
-  glm::dvec3 diffuse(const RowWindow& rows, const Neighbourhood& nodes, const scene::Material& material,
-                     texmap::FilterThread& filter, ShadingCounts& counts) const;
+  // How a node was reached: from which one, or from the eye through which pixel.
+  struct Path {
+    const TreeNode* node;
+    const Path* from;
+    const EyeRays* eye_rays;
+    int x;
+    int y;
+  };
+
+  glm::dvec3 node(const RowWindow& rows, const Neighbourhood& nodes, const Path& path,
+                  texmap::FilterThread& filter, ShadingCounts& counts) const;
+  glm::dvec3 diffuse(const RowWindow& rows, const Neighbourhood& nodes, const Path& path,
+                     const scene::Material& material, texmap::FilterThread& filter,
+                     ShadingCounts& counts) const;
+  // Of the ray that the path ends with. No further ray is traced.
+  RayDifferential differential(const Path& path) const;
+  HitDifferential moved_hit(const Path& path) const;
   std::optional<glm::vec3> filtered(const RowWindow& rows, const Neighbourhood& nodes,
                                     const texmap::TextureSampler& sampler,
                                     texmap::FilterThread& filter) const;
@@ -72,7 +91,8 @@ class Shader {
   const Samplers& samplers_;
   texmap::Filter filter_;
   Footprint footprint_;
-  bool looks_round_;  // is a footprint asked for?
+  bool looks_round_;         // are footprints made from neighbours?
+  bool uses_differentials_;  // and from the rays' derivatives?
 };
 
 }  // namespace sweepkit::render

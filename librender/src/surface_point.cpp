@@ -70,6 +70,11 @@ SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec
   return point;
 }
 
+MirrorNormal mirror_normal(const SurfacePoint& point, const glm::dvec3& direction) {
+  const bool is_face = !(glm::dot(mirrored(direction, point.shading_normal), point.face_normal) > 0);
+  return {is_face ? point.face_normal : point.shading_normal, is_face};
+}
+
 Ray leave_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& start,
                   const glm::dvec3& direction) {
   Ray ray{start + point.error * point.face_normal, direction};

@@ -19,6 +19,18 @@ struct SurfacePoint {
 
 SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction);
 
+/// What a ray is mirrored at. The interpolated normal can bend it into the surface at a grazing angle; there
+/// the face's own is taken.
+struct MirrorNormal {
+  glm::dvec3 normal;
+  bool is_face;
+};
+MirrorNormal mirror_normal(const SurfacePoint& point, const glm::dvec3& direction);
+
+inline glm::dvec3 mirrored(const glm::dvec3& direction, const glm::dvec3& normal) {
+  return direction - 2 * glm::dot(direction, normal) * normal;
+}
+
 /// The ray that leaves `hit` from `start`, on the surface or above it, for `direction`. It starts off the
 /// triangle by the point's error bound, on the side that is seen.
 Ray leave_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& start,

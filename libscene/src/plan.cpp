@@ -46,9 +46,9 @@ Usage usage_of(const Document& document) {
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",         "textures",      "baked textures", "integral tables",
-      "texture tiles",      "(u,v) at hits", "filtered nodes", "row buffers",
-      "intersection trees", "shadow rays",   "supersampling",  "grid over objects"};
+      "half-edges",    "textures",       "baked textures",    "integral tables", "texture tiles",
+      "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers",     "intersection trees",
+      "shadow rays",   "supersampling",  "grid over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -88,12 +88,20 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kTiles, has_image && !has_tables, usage.has_image ? filter : no_image);
   picture_row(Part::kTexcoords, usage.reads_uv,
               usage.reads_uv ? "textures are looked up by (u,v)" : "no texture reads (u,v)");
-  picture_row(Part::kFilteredNodes, has_footprints,
-              has_footprints      ? "textured hits are filtered over their neighbours"
-              : usage.has_texture ? filter
-                                  : "no texture is used");
-  picture_row(Part::kRows, has_footprints,
-              has_footprints ? "the filter looks at the rows above and below"
+  const bool has_neighbours = has_footprints && request.has_neighbours;
+  const bool has_differentials = has_footprints && request.has_differentials;
+  const std::string no_footprints = usage.has_texture ? filter : "no texture is used";
+  picture_row(Part::kFilteredNodes, has_neighbours,
+              has_neighbours   ? "textured hits are filtered over their neighbours"
+              : has_footprints ? "footprints come from ray differentials"
+                               : no_footprints);
+  picture_row(Part::kDifferentials, has_differentials,
+              has_differentials
+                  ? has_neighbours ? "for textured hits without neighbours" : "they were asked for"
+              : has_footprints ? "footprints come from neighbours alone"
+                               : no_footprints);
+  picture_row(Part::kRows, has_neighbours,
+              has_neighbours ? "the filter looks at the rows above and below"
                              : "one row is enough where no neighbour is looked at");
   const bool has_trees = usage.reflects && document.depth > 0;
   picture_row(Part::kTrees, has_trees,

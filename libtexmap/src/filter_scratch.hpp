@@ -10,12 +10,12 @@
 
 namespace sweepkit::texmap {
 
-/// The part of a row of texels that a footprint covers.
+/// The part of a row of texels that a footprint covers, in texels from the left of the footprint's box.
 struct Span {
   int first;
   int last;
-  double top;     ///< what is left of 1 in this row where the weight is greatest
-  double middle;  ///< where that is, in texels
+  float top;     ///< what is left of 1 in this row where the weight is greatest
+  float middle;  ///< where that is
 };
 
 /// What one thread needs while it filters.

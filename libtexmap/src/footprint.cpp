@@ -46,4 +46,16 @@ std::optional<Footprint> footprint_from(glm::dvec2 hit, const Beside& beside, gl
   return Footprint{hit, *dx, *dy};
 }
 
+Footprint footprint_from(const Triangle3<double>& triangle, const std::array<glm::dvec2, 3>& uv,
+                         glm::dvec2 hit, const glm::dvec3& dx, const glm::dvec3& dy) {
+  // With B at the origin a step is a place, and the map of a unit right triangle tells its ratios (c, a).
+  const Triangle3<double> about_b{triangle.a - triangle.b, glm::dvec3(0.0), triangle.c - triangle.b};
+  constexpr RightTriangle kUnit{glm::dvec2(0.0), 1, 1};
+  const auto step = [&](const glm::dvec3& moved) {
+    const glm::dvec2 ratios = area_ratio_map(about_b, kUnit, moved);
+    return ratios.x * (uv[2] - uv[1]) + ratios.y * (uv[0] - uv[1]);
+  };
+  return {hit, step(dx), step(dy)};
+}
+
 }  // namespace sweepkit::texmap

@@ -61,8 +61,10 @@ Pyramid::Pyramid(std::shared_ptr<const TexelSource> source, TileCache& cache, st
     : source_(std::move(source)), cache_(cache), id_(id) {
   levels_.push_back({source_->width(), source_->height()});
   while (levels_.back().width > 1 || levels_.back().height > 1) {
-    const Level& finer = levels_.back();
-    levels_.push_back({std::max(1, finer.width / 2), std::max(1, finer.height / 2)});
+    const int width = std::max(1, levels_.back().width / 2);
+    const int height = std::max(1, levels_.back().height / 2);
+    levels_.push_back(
+        {width, height, glm::dvec2(width, height) / glm::dvec2(levels_[0].width, levels_[0].height)});
   }
 }
 

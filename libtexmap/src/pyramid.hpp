@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <memory>
 #include <vector>
 
@@ -22,6 +23,7 @@ class Pyramid : public TileMaker {
   struct Level {
     int width;
     int height;
+    glm::dvec2 scale{1.0};  ///< its texels to one of the finest level, along each axis
   };
 
   /// `id` sets the texture apart from others in the same cache.

@@ -57,7 +57,7 @@ glm::vec3 TextureSampler::sample(const Footprint& footprint, FilterThread& threa
     case Filter::kIntegral3:
       return prepared_->integrals->over_pixel(footprint, *thread.scratch_);
     case Filter::kEwa:
-      return elliptical_average(*prepared_->pyramid, wrap, footprint, *thread.scratch_);
+      return elliptical_average(*prepared_->pyramid, wrap, footprint, Detail::kFull, *thread.scratch_);
     case Filter::kAuto:
       break;
   }
@@ -65,7 +65,7 @@ glm::vec3 TextureSampler::sample(const Footprint& footprint, FilterThread& threa
   const glm::dvec2 steps = (glm::abs(footprint.dx) + glm::abs(footprint.dy)) * size;
   if (steps.x < 1 && steps.y < 1)
     return bilinear(*prepared_->pyramid, wrap, footprint.uv, thread.scratch_->tiles);
-  return elliptical_average(*prepared_->pyramid, wrap, footprint, *thread.scratch_);
+  return elliptical_average(*prepared_->pyramid, wrap, footprint, Detail::kBalanced, *thread.scratch_);
 }
 
 glm::vec3 TextureSampler::over_box(const UvBox& box, FilterThread& thread) const {

@@ -15,7 +15,9 @@ namespace sweepkit::render::test {
 inline scene::Plan plan_for(const scene::Document& document, const Options& options) {
   return scene::plan(document, {.product = scene::Request::Product::kPicture,
                                 .filter = options.filter,
-                                .is_supersampled = options.supersampling > 1});
+                                .is_supersampled = options.supersampling > 1,
+                                .has_neighbours = options.footprint != Footprint::kDifferentials,
+                                .has_differentials = options.footprint != Footprint::kNeighbours});
 }
 
 /// A scene from text, ready to be drawn again and again; its parts may be changed in between.

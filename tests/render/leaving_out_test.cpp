@@ -20,9 +20,9 @@ TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrGlobalGrid) {
       R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   const Picture picture = stage.draw();
-  for (const Part part :
-       {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles, Part::kTexcoords,
-        Part::kFilteredNodes, Part::kRows, Part::kTrees, Part::kSupersampling, Part::kGlobalGrid}) {
+  for (const Part part : {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles,
+                          Part::kTexcoords, Part::kFilteredNodes, Part::kDifferentials, Part::kRows,
+                          Part::kTrees, Part::kSupersampling, Part::kGlobalGrid}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
   }
@@ -48,6 +48,20 @@ TEST(LeavingOut, EveryPartThatIsNeededShowsUp) {
                           Part::kShadows, Part::kSupersampling, Part::kGlobalGrid}) {
     EXPECT_GT(picture.ledger[part].calls, 0u) << scene::part_name(part);
   }
+}
+
+TEST(LeavingOut, FootprintsFromOneSourceCostNothingOfTheOther) {
+  Stage stage(R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
+    "textures": {"t": {"procedural": "checker"}}, "materials": {"m": {"texture": "t"}},
+    "objects": [{"name": "a", "material": "m", "plane": {"size": [4, 4]}}]})");
+  stage.set_texture(0, texmap::Image{4, 4, 1, std::vector<std::uint16_t>(16, 30000)});
+  const Picture neighbours = stage.draw({.footprint = Footprint::kNeighbours});
+  expect_nothing(neighbours.ledger, Part::kDifferentials);
+  const Picture differentials = stage.draw({.footprint = Footprint::kDifferentials});
+  expect_nothing(differentials.ledger, Part::kRows);
+  expect_nothing(differentials.ledger, Part::kFilteredNodes);
+  EXPECT_EQ(differentials.ledger[Part::kDifferentials].calls, differentials.statistics.textured_nodes);
+  EXPECT_EQ(differentials.statistics.eye_rays, 32u * 32);
 }
 
 TEST(LeavingOut, DoesNotChangeThePicture) {

@@ -75,6 +75,7 @@ Report statistics_report(const render::Statistics& statistics, const scene::Plan
            {"nodes", statistics.nodes},
            {"textured_nodes", statistics.textured_nodes},
            {"filtered_nodes", statistics.filtered_nodes},
+           {"differential_nodes", statistics.differential_nodes},
            {"grid_seconds", statistics.grid_seconds},
            {"table_seconds", statistics.table_seconds},
            {"picture_seconds", statistics.picture_seconds},
@@ -93,15 +94,18 @@ void draw(Render& command) {
   check_names(command);
   command.options.filter = static_cast<texmap::Filter>(
       std::ranges::find(texmap::kFilterNames, command.filter) - texmap::kFilterNames.begin());
-  command.options.footprint =
-      command.footprint == "neighbours" ? render::Footprint::kNeighbours : render::Footprint::kAuto;
+  command.options.footprint = command.footprint == "neighbours"      ? render::Footprint::kNeighbours
+                              : command.footprint == "differentials" ? render::Footprint::kDifferentials
+                                                                     : render::Footprint::kAuto;
   command.options.supersampling = command.antialias == "3x3" ? 3 : 1;
 
   const scene::Document document = read_document(command);
   const scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kPicture,
                                                   .filter = command.options.filter,
                                                   .texture_memory = command.texture_megabytes << 20,
-                                                  .is_supersampled = command.options.supersampling > 1});
+                                                  .is_supersampled = command.options.supersampling > 1,
+                                                  .has_neighbours = command.footprint != "differentials",
+                                                  .has_differentials = command.footprint != "neighbours"});
   if (output.file.empty()) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
@@ -147,12 +151,14 @@ void add_render(CLI::App& app) {
       ->capture_default_str()
       ->check(
           CLI::IsMember(std::vector<std::string>(texmap::kFilterNames.begin(), texmap::kFilterNames.end())));
-  sub.add_option("--footprint", command->footprint,
-                 "What the filter covers: auto, a pixel, by the next neighbours; neighbours, as the paper "
-                 "has it, only where all eight hit the same surface, and integral-1, -2 and -3 take their "
-                 "box, two pixels wide, as all that they cover")
+  sub.add_option(
+         "--footprint", command->footprint,
+         "What the filter covers: auto, a pixel, by the next neighbours, and by the ray's derivatives "
+         "where there are none; differentials, by those alone; neighbours, as the paper has it, only "
+         "where all eight hit the same surface, and integral-1, -2 and -3 take their box, two pixels wide, "
+         "as all that they cover")
       ->capture_default_str()
-      ->check(CLI::IsMember({"neighbours", "auto"}));
+      ->check(CLI::IsMember({"neighbours", "differentials", "auto"}));
   sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")
       ->capture_default_str()
       ->check(CLI::IsMember({"off", "3x3"}));

@@ -18,9 +18,11 @@ namespace sweepkit::render {
 using texmap::Filter;
 
 enum class Footprint {
-  kNeighbours,  ///< as the paper has it: only where all eight neighbours lie on the same piece of texture;
-                ///< tables of integrals take the box about them as it is, two pixels wide
-  kAuto,        ///< steps of one pixel by differences to the four next neighbours, or those that are there
+  kNeighbours,     ///< as the paper has it: only where all eight neighbours lie on the same piece of texture;
+                   ///< tables of integrals take the box about them as it is, two pixels wide
+  kDifferentials,  ///< steps of one pixel by the eye ray's derivatives, carried along its path [Igehy99]
+  kAuto,  ///< steps of one pixel by differences to the four next neighbours, or those that are there; where
+          ///< a direction has none (silhouettes, thin things), by derivatives
 };
 
 /// One eye ray a pixel; or a picture n times as large each way, shrunk. 3 takes the paper's weights (1/4 in
@@ -45,8 +47,9 @@ struct Statistics {
   std::uint64_t eye_rays = 0;
   std::uint64_t reflected_rays = 0;
   std::uint64_t shadow_rays = 0;
-  std::uint64_t nodes = 0;           ///< intersection-tree nodes shaded
-  std::uint64_t filtered_nodes = 0;  ///< of them, filtered over their neighbours
+  std::uint64_t nodes = 0;               ///< intersection-tree nodes shaded
+  std::uint64_t filtered_nodes = 0;      ///< of them, filtered over their neighbours
+  std::uint64_t differential_nodes = 0;  ///< of them, filtered by ray differentials
   std::uint64_t textured_nodes = 0;
   double grid_seconds = 0;          ///< building the grids
   double table_seconds = 0;         ///< building tables of integrals

@@ -24,13 +24,14 @@ enum class Part {
   kTiles,          ///< tiles of image textures and of their smaller copies
   kTexcoords,      ///< (u,v) interpolated at hits
   kFilteredNodes,  ///< neighbours' boxes made and looked up
+  kDifferentials,  ///< derivatives of rays carried along their paths
   kRows,           ///< the two neighbouring row buffers
   kTrees,          ///< nodes below the primary hit
   kShadows,        ///< shadow rays
   kSupersampling,  ///< the larger picture that is shrunk
   kGlobalGrid,     ///< the grid over the objects' boxes
 };
-inline constexpr std::size_t kPartCount = 12;
+inline constexpr std::size_t kPartCount = 13;
 
 std::string_view part_name(Part part);  ///< "half-edges", "integral tables", ...
 
@@ -57,6 +58,8 @@ struct Request {
   texmap::Filter filter = texmap::Filter::kPoint;
   std::size_t texture_memory = texmap::kDefaultTextureMemory;  ///< bytes that a picture's textures may fill
   bool is_supersampled = false;
+  bool has_neighbours = true;     ///< footprints are made from the neighbouring pixels' hits
+  bool has_differentials = true;  ///< where there are none, or at all, from the rays' derivatives
 };
 
 Plan plan(const Document& document, const Request& request);

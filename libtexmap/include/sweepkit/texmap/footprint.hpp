@@ -7,6 +7,8 @@
 #include <optional>
 #include <span>
 
+#include "sweepkit/texmap/area_ratio_mapping.hpp"
+
 namespace sweepkit::texmap {
 
 /// A box in texture coordinates; v upwards. min <= max.
@@ -38,5 +40,13 @@ struct Beside {
 /// The footprint by differences: central ones, or to the one side that is there. A neighbour across a seam is
 /// taken at its nearest representative, as above. None where a direction has no neighbour at all.
 std::optional<Footprint> footprint_from(glm::dvec2 hit, const Beside& beside, glm::dvec2 period);
+
+/// The footprint of a pixel by derivatives: `dx` and `dy` say how the hit moves on the triangle's plane for a
+/// step of one pixel to the right and down, `uv` is (u,v) at A, B and C. Differences are taken about B in the
+/// plane that drops the dominant axis of the normal, as area_ratio_map() does; only the parts of dx and dy in
+/// that plane are read. A triangle without area gives a footprint without area; steps that are not finite
+/// stay so (TextureSampler takes both).
+Footprint footprint_from(const Triangle3<double>& triangle, const std::array<glm::dvec2, 3>& uv,
+                         glm::dvec2 hit, const glm::dvec3& dx, const glm::dvec3& dy);
 
 }  // namespace sweepkit::texmap

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "ray.hpp"
+#include "sweepkit/texmap/footprint.hpp"
+#include "tracer.hpp"
+
+namespace sweepkit::render {
+
+/// How a ray changes for a step of one pixel to the right (x) and one down (y): the derivatives of its origin
+/// and of its unit direction [Igehy99].
+struct RayDifferential {
+  glm::dvec3 origin_x{0.0};
+  glm::dvec3 origin_y{0.0};
+  glm::dvec3 direction_x{0.0};
+  glm::dvec3 direction_y{0.0};
+};
+
+/// The same of the point where it meets a triangle, on the triangle's plane. Not finite where the ray lies in
+/// that plane.
+struct HitDifferential {
+  glm::dvec3 x;
+  glm::dvec3 y;
+};
+
+/// Of a ray along `direction` that meets `hit`.
+HitDifferential at_hit(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
+                       const RayDifferential& ray);
+
+/// Of the ray that is mirrored there: the interpolated normal turns with the hit. Where that
+/// ray is mirrored at the face itself, the normal stays.
+RayDifferential reflected(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
+                          const RayDifferential& ray, const HitDifferential& at);
+
+/// What the pixel covers of the texture about `uv`, (u,v) of the hit.
+texmap::Footprint footprint_of(const Tracer& tracer, const Hit& hit, const HitDifferential& at,
+                               glm::dvec2 uv);
+
+}  // namespace sweepkit::render
