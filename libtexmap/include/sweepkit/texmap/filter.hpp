@@ -15,7 +15,8 @@ enum class Filter {
   kTrilinear,  ///< a MIP pyramid, isotropic [Williams83]
   kIntegral1,  ///< the box about the footprint from a summed-area table [Crow84]
   kEwa,        ///< the elliptical weighted average [Heckbert89]
-  kAuto,       ///< bilinear where the texture is magnified, elliptical elsewhere
+  kAuto,       ///< bilinear where the texture is magnified; elsewhere the elliptical average, from coarser
+               ///< levels the longer the footprint (docs/plane_filters.md)
 };
 
 /// Does the filter look at more than the middle of a footprint?
