@@ -14,6 +14,7 @@
 #include <OpenImageIO/texture.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -178,6 +179,7 @@ struct PeerSettings {
 struct Method {
   std::string name;
   std::variant<texmap::Filter, PeerSettings> lookup;
+  int most_parts = 1;  // of long footprints, cut along the major axis
 
   bool is_peer() const { return std::holds_alternative<PeerSettings>(lookup); }
 };
@@ -219,6 +221,18 @@ class Peer {
   OIIO::TextureSystem::Perthread* thread_ = nullptr;
   OIIO::TextureOpt options_;
 };
+
+glm::vec3 sample_cut(const texmap::TextureSampler& sampler, const texmap::Footprint& footprint, int most,
+                     texmap::FilterThread& thread) {
+  std::array<texmap::FootprintPart, 8> parts;
+  const int count = texmap::cut_along_major(footprint, most, parts);
+  glm::vec3 sum(0.0f);
+  for (int i = 0; i < count; ++i) {
+    const texmap::FootprintPart& part = parts[static_cast<std::size_t>(i)];
+    sum += static_cast<float>(part.weight) * sampler.sample(part.footprint, thread);
+  }
+  return sum;
+}
 
 double psnr_of(const std::vector<double>& values, const std::vector<double>& reference) {
   double squares = 0;
@@ -308,6 +322,12 @@ int main(int argc, char** argv) {
         {"openimageio-bicubic", PeerSettings{OIIO::TypeDesc::FLOAT, Options::InterpBicubic}}};
     for (std::size_t i = 0; i < texmap::kFilterNames.size(); ++i)
       methods.push_back({std::string(texmap::kFilterNames[i]), static_cast<Filter>(i)});
+    for (const Filter filter : {Filter::kTrilinear, Filter::kIntegral1}) {
+      for (const int parts : {4, 8}) {
+        methods.push_back(
+            {std::string(texmap::filter_name(filter)) + "-cut-" + std::to_string(parts), filter, parts});
+      }
+    }
     std::string csv = "texture,method,psnr_db,nanoseconds_median,nanoseconds_min,nanoseconds_max\n";
     bool all_hold = true;
     for (const Column& column : {Column{"checker 0", 0, checker()}, Column{"checker 35", 35, checker()},
@@ -337,9 +357,12 @@ int main(int argc, char** argv) {
         } else {
           samplers.push_back(std::make_unique<texmap::TextureSampler>(
               texture, std::get<Filter>(methods[m].lookup), cache, static_cast<std::uint32_t>(m)));
-          run = [&pixels, &out, &thread, sampler = samplers.back().get()] {
-            for (std::size_t i = 0; i < pixels.size(); ++i)
-              out[i] = static_cast<double>(sampler->sample(pixels[i].footprint, thread).r);
+          run = [&pixels, &out, &thread, sampler = samplers.back().get(), most = methods[m].most_parts] {
+            for (std::size_t i = 0; i < pixels.size(); ++i) {
+              out[i] = most > 1
+                           ? static_cast<double>(sample_cut(*sampler, pixels[i].footprint, most, thread).r)
+                           : static_cast<double>(sampler->sample(pixels[i].footprint, thread).r);
+            }
           };
         }
         contenders.push_back({.name = methods[m].name, .run = std::move(run), .check = [&out, &reference] {

@@ -42,7 +42,8 @@ TEST(Plan, APlainSceneNeedsNothing) {
 
 TEST(Plan, AnImageThatIsFilteredNeedsTablesRowsAndTexcoords) {
   EXPECT_EQ(needed(scene_of(R"("texture": "image")"), kPicture),
-            (std::set{Part::kTextures, Part::kTables, Part::kTexcoords, Part::kFilteredNodes, Part::kRows}));
+            (std::set{Part::kTextures, Part::kTables, Part::kTexcoords, Part::kFilteredNodes,
+                      Part::kDifferentials, Part::kRows}));
 }
 
 TEST(Plan, EveryFilterNeedsWhatItReadsAlone) {
@@ -53,9 +54,22 @@ TEST(Plan, EveryFilterNeedsWhatItReadsAlone) {
   EXPECT_EQ(with(texmap::Filter::kBilinear), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords}));
   for (const texmap::Filter filter :
        {texmap::Filter::kTrilinear, texmap::Filter::kEwa, texmap::Filter::kAuto}) {
-    EXPECT_EQ(with(filter),
-              (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords, Part::kFilteredNodes, Part::kRows}));
+    EXPECT_EQ(with(filter), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords, Part::kFilteredNodes,
+                                      Part::kDifferentials, Part::kRows}));
   }
+}
+
+TEST(Plan, FootprintsNeedTheSourceTheyAreAskedFrom) {
+  const Document document = scene_of(R"("texture": "image")");
+  Request request{.product = Product::kPicture, .filter = texmap::Filter::kEwa, .has_differentials = false};
+  EXPECT_EQ(needed(document, request),
+            (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords, Part::kFilteredNodes, Part::kRows}));
+  request.has_neighbours = false;
+  request.has_differentials = true;
+  EXPECT_EQ(needed(document, request),
+            (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords, Part::kDifferentials}));
+  request.filter = texmap::Filter::kPoint;
+  EXPECT_EQ(needed(document, request), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords}));
 }
 
 TEST(Plan, AnImageThatIsNotFilteredNeedsItsTilesAndTexcoords) {

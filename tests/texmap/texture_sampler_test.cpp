@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <thread>
 #include <vector>
@@ -260,6 +261,58 @@ TEST(Auto, IsBilinearWhereTheTextureIsMagnifiedAndEllipticalElsewhere) {
             look_up(image, Wrap::kRepeat, Filter::kBilinear, near));
   EXPECT_EQ(look_up(image, Wrap::kRepeat, Filter::kAuto, far),
             look_up(image, Wrap::kRepeat, Filter::kEwa, far));
+}
+
+// A floor 1 below the eye that runs to the horizon, 64 x 64 pixels; the texture's period is 2. Where pixel
+// (x, y) looks, or nothing within two degrees of the horizon.
+std::optional<glm::dvec2> floor_uv(double x, double y) {
+  const double fall = (y / 64 - 0.1) * 1.2;
+  if (fall < 0.035) return std::nullopt;
+  const glm::dvec2 at = glm::dvec2((x / 64 - 0.5) * 1.2, 1) / fall;
+  // Turned, so that no axis of the texture is one of the footprints.
+  return 0.5 * glm::dvec2(0.8 * at.x - 0.6 * at.y, 0.6 * at.x + 0.8 * at.y);
+}
+
+TEST(Auto, IsWithinHalfADecibelOfEwaOnAFloorThatRunsToTheHorizon) {
+  // Noise of equal strength in every octave, so that every level of the pyramid counts.
+  constexpr int kSide = 256;
+  std::vector<float> texels(kSide * kSide, 0.5f);
+  for (int cell = 1; cell <= 64; cell *= 2) {
+    const auto octave = random_image(kSide / cell, kSide / cell, true);
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x)
+        texels[static_cast<std::size_t>(y * kSide + x)] +=
+            0.1f * (octave->color(x / cell, y / cell).r - 0.5f);
+    }
+  }
+  const ImageTexture texture{std::make_shared<const Image>(Image{kSide, kSide, 1, texels})};
+  TileCache cache;
+  FilterThread thread(cache);
+  const TextureSampler ewa(texture, Filter::kEwa, cache, 0);
+  const TextureSampler automatic(texture, Filter::kAuto, cache, 1);
+  double of_ewa = 0;
+  double of_auto = 0;
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      if (!floor_uv(x, y - 1.5)) continue;
+      const auto at = [&](double dx, double dy) { return *floor_uv(x + 0.5 + dx, y + 0.5 + dy); };
+      const Footprint f{at(0, 0), at(0.5, 0) - at(-0.5, 0), at(0, 0.5) - at(0, -0.5)};
+      double sum = 0;
+      double weights = 0;
+      for (int j = -15; j < 16; ++j) {
+        for (int i = -15; i < 16; ++i) {
+          const double weight = (16 - std::abs(i)) * (16 - std::abs(j));
+          sum +=
+              weight * static_cast<double>(point_sample(texture, at(i / 16.0, j / 16.0), glm::dvec3(0.0)).r);
+          weights += weight;
+        }
+      }
+      const double expected = sum / weights;
+      of_ewa += std::pow(static_cast<double>(ewa.sample(f, thread).r) - expected, 2);
+      of_auto += std::pow(static_cast<double>(automatic.sample(f, thread).r) - expected, 2);
+    }
+  }
+  EXPECT_LT(10 * std::log10(of_auto / of_ewa), 0.5);
 }
 
 TEST(TileCache, GivesTheSameTexelsHoweverFewTilesItHolds) {

@@ -145,9 +145,10 @@ void add_render(CLI::App& app) {
   add_picture_output(sub, command->output, "The picture");
   sub.add_option("--size", command->size, "Pixels, instead of the scene's")->type_name("WxH");
   sub.add_option("--filter", command->filter,
-                 "How image textures are looked up; auto is bilinear where a texture is magnified and ewa, "
-                 "the elliptical average, elsewhere; integral-1, -2 and -3 average one, two or three boxes "
-                 "convolved, by tables of sums: the paper's way")
+                 "How image textures are looked up; ewa is the elliptical average; auto is bilinear where a "
+                 "texture is magnified and elsewhere ewa, from coarser copies the longer the footprint; "
+                 "integral-1, -2 and -3 average one, two or three boxes convolved, by tables of sums: the "
+                 "paper's way")
       ->capture_default_str()
       ->check(
           CLI::IsMember(std::vector<std::string>(texmap::kFilterNames.begin(), texmap::kFilterNames.end())));

@@ -17,7 +17,8 @@ enum class Filter {
   kIntegral2,  ///< two boxes convolved, a tent, from a table of order 2 [Heckbert86]
   kIntegral3,  ///< three boxes convolved, from a table of order 3
   kEwa,        ///< the elliptical weighted average [Heckbert89]
-  kAuto,       ///< bilinear where the texture is magnified, elliptical elsewhere
+  kAuto,       ///< bilinear where the texture is magnified; elsewhere the elliptical average, from coarser
+               ///< levels the longer the footprint (docs/plane_filters.md)
 };
 
 /// Does the filter look at more than the middle of a footprint?

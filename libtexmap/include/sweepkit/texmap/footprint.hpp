@@ -49,4 +49,16 @@ std::optional<Footprint> footprint_from(glm::dvec2 hit, const Beside& beside, gl
 Footprint footprint_from(const Triangle3<double>& triangle, const std::array<glm::dvec2, 3>& uv,
                          glm::dvec2 hit, const glm::dvec3& dx, const glm::dvec3& dy);
 
+/// A part of a footprint and its share of the whole.
+struct FootprintPart {
+  Footprint footprint;
+  double weight = 1;
+};
+/// Cuts a long footprint across into at most `most` parts whose aspect is about 1, side by side along the
+/// major axis and weighed by the pixel's tent: for filters that know no long footprints (a box about a turned
+/// one, a MIP level as coarse as the longer step). The weights sum to 1, and the parts' tents add up to the
+/// footprint's own mean and covariance. Returns how many were written to `parts`, one where nothing is to cut
+/// or a step is not finite. Precondition: 1 <= most <= parts.size().
+int cut_along_major(const Footprint& footprint, int most, std::span<FootprintPart> parts);
+
 }  // namespace sweepkit::texmap
