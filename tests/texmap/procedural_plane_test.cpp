@@ -54,7 +54,8 @@ TEST(ProceduralPlane, DoesNotAliasToTheHorizon) {
         glm::dvec3 mean(0.0);
         double weights = 0;
         for (int i = 0; i < kSide * kSide; ++i) {
-          const glm::dvec2 t((2 * (i % kSide) + 1.0) / kSide - 1, (2 * (i / kSide) + 1.0) / kSide - 1);
+          const int row = i / kSide;
+          const glm::dvec2 t((2 * (i % kSide) + 1.0) / kSide - 1, (2 * row + 1.0) / kSide - 1);
           const double weight = (1 - std::abs(t.x)) * (1 - std::abs(t.y));
           mean += weight * glm::dvec3(evaluate(procedural, {place_of(x + 0.5 + t.x, y + 0.5 + t.y, on)}));
           weights += weight;
