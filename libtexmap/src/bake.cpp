@@ -38,10 +38,11 @@ glm::vec3 texel_mean(const Procedural& procedural, const glm::dvec3& middle, con
   constexpr int kParts = 4;
   constexpr double kHalf = 0.5 / kParts;
   glm::vec3 sum(0.0f);
-  for (int i = 0; i < kParts * kParts; ++i) {
-    const double a = (2 * (i % kParts) + 1) * kHalf - 0.5;
-    const double b = (2 * (i / kParts) + 1) * kHalf - 0.5;
-    sum += evaluate(procedural, {middle + a * dx + b * dy, kHalf * dx, kHalf * dy});
+  for (int j = 0; j < kParts; ++j) {
+    for (int i = 0; i < kParts; ++i) {
+      const glm::dvec3 part = ((2 * i + 1) * kHalf - 0.5) * dx + ((2 * j + 1) * kHalf - 0.5) * dy;
+      sum += evaluate(procedural, {middle + part, kHalf * dx, kHalf * dy});
+    }
   }
   return sum / static_cast<float>(kParts * kParts);
 }

@@ -70,7 +70,7 @@ TEST(Document, HoldsWhatTheFileSays) {
   EXPECT_EQ(std::get<PointLight>(document.lights[0]).intensity, glm::vec3(4, 5, 6));
   EXPECT_EQ(std::get<DirectionalLight>(document.lights[1]).intensity, glm::vec3(1));
 
-  ASSERT_EQ(document.textures.size(), 5u);
+  ASSERT_EQ(document.textures.size(), 8u);
   EXPECT_EQ(document.textures[0].name, "picture");
   const auto& image = std::get<ImageEntry>(document.textures[0].source);
   EXPECT_EQ(image.file, "folder/a/b.png") << "relative to the scene file";

@@ -148,7 +148,8 @@ TEST(FractalNoise, ForetellsTheMeanUnderAFootprint) {
       double mean = 0;
       double weights = 0;
       for (int i = 0; i < kSide * kSide; ++i) {
-        const glm::dvec2 t((2 * (i % kSide) + 1.0) / kSide - 1, (2 * (i / kSide) + 1.0) / kSide - 1);
+        const int row = i / kSide;
+        const glm::dvec2 t((2 * (i % kSide) + 1.0) / kSide - 1, (2 * row + 1.0) / kSide - 1);
         const double weight = (1 - std::abs(t.x)) * (1 - std::abs(t.y));
         mean += weight * fractal_sum(p + width * glm::dvec3(t, 0), 0, octaves).mean;
         weights += weight;

@@ -123,7 +123,8 @@ TEST(ProceduralFilter, AgreesWithQuadratureForFootprintsOfEveryDirection) {
     double sum = 0;
     double weights = 0;
     for (int i = 0; i < kSide * kSide; ++i) {
-      const glm::dvec2 t((2 * (i % kSide) + 1.0) / kSide - 1, (2 * (i / kSide) + 1.0) / kSide - 1);
+      const int row = i / kSide;
+      const glm::dvec2 t((2 * (i % kSide) + 1.0) / kSide - 1, (2 * row + 1.0) / kSide - 1);
       const double weight = (1 - std::abs(t.x)) * (1 - std::abs(t.y));
       sum += weight * evaluate(checker, {at + t.x * dx + t.y * dy}).r;
       weights += weight;

@@ -84,8 +84,9 @@ TEST(Procedural, EveryColourHasAsManyTilesAsAnother) {
   for (int i = 0; i < 5; ++i) tiles.colors.push_back(glm::vec3(static_cast<float>(i) / 4));
   std::array<int, 5> counts{};
   for (std::size_t i = 0; i < side * side; ++i) {
+    const std::size_t row = i / side;
     const glm::dvec2 uv((0.5 + static_cast<double>(i % side)) / side,
-                        (0.5 + static_cast<double>(i / side)) / side);
+                        (0.5 + static_cast<double>(row)) / side);
     ++counts[static_cast<std::size_t>(std::lround(4 * evaluate(tiles, uv, {}).r))];
   }
   for (int i = 0; i < 4; ++i) EXPECT_EQ(counts[static_cast<std::size_t>(i)], 9) << i;  // the last is grout's

@@ -25,7 +25,7 @@ struct Octaves {
   /// a mean of 0 over every period. In three each octave is turned against the one before, so that their
   /// lattices do not line up.
   bool is_flat = false;
-  /// Cells after which a flat one comes round along x and along y, from 1 to 2^31; 0: never.
+  /// Cells after which a flat one comes round along x and y, times 2^count below 2^62; 0: never.
   std::int64_t period_x = 0;
   std::int64_t period_y = 0;
 };
