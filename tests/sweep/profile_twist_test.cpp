@@ -3,8 +3,10 @@
 // Sweeps whose section changes along the way, against closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "mesh_measures.hpp"
 #include "sweepkit/error.hpp"
@@ -103,6 +105,44 @@ TEST(Profile, OfTwoAxesStretchesThemApart) {
     const glm::dvec3 n = glm::normalize(glm::dvec3(p.x / 4, 4 * p.y, 0));
     EXPECT_LT(glm::length(glm::dvec3(bar.normals()[i]) - n), 1e-6) << i;
   }
+}
+
+TEST(Profile, PressedFlatOnOneAxisMakesAnEdgeWithoutTrianglesOfNoArea) {
+  // A chisel: all of its front and back, nothing of its sides is left at the end. Half of the bar's volume.
+  const Law falling = Law::bezier({{0, 1}, {1, 0}});
+  // Cells of 1/32 m, which is exact: front and back have the same vertices along the edge.
+  const Tessellation even{48, 16};
+  const Mesh chisel =
+      sweep(rectangle_contour(0.25, 0.5), straight(3), {.tessellation = even, .profile = {falling, 1}});
+  const Measures m = measure(chisel);
+  EXPECT_GT(m.smallest_triangle, 0);
+  EXPECT_EQ(m.leaking_edges, 0u);
+  EXPECT_EQ(m.euler, 2);
+  EXPECT_NEAR(m.volume, 0.5 * 0.25 * 0.5 * 3, 1e-6);
+  EXPECT_GT(m.worst_normal_cosine, 1 - 1e-6);  // it is flat all round
+  // A roof leans on its short sides too.
+  const Mesh roof = sweep(rectangle_contour(0.25, 0.5), straight(3),
+                          {.profile = {falling, Law::bezier({{0, 1}, {1, 0.5}})}});
+  EXPECT_GT(measure(roof).smallest_triangle, 0);
+  EXPECT_GT(measure(roof).worst_normal_cosine, 1 - 1e-6);
+  // In the middle of the way, by tolerance, with round corners, and of an open contour, which shrinks to a
+  // point there.
+  const Law waist = Law::through({{0, 1}, {0.5, 0}, {1, 1}});
+  const Mesh bow =
+      sweep(rectangle_contour(0.25, 0.5), straight(3), {.tessellation = even, .profile = {waist, 1}});
+  EXPECT_GT(measure(bow).smallest_triangle, 0);
+  EXPECT_EQ(measure(bow).leaking_edges, 0u);
+  for (const std::optional<double> tolerance : {std::optional<double>(), std::optional<double>(1e-3)}) {
+    const Mesh round = sweep(rectangle_contour(0.2, 0.4, 0.05), straight(3),
+                             {.tessellation = {.tolerance = tolerance}, .profile = {1, falling}});
+    EXPECT_GT(measure(round).smallest_triangle, 0);
+    EXPECT_LT(measure(round).worst_normal_length, 1e-6);
+  }
+  const Mesh blade = sweep(polyline<2>({{-1, 0}, {1, 0}}, false), straight(3), {.profile = {falling, 1}});
+  const Measures flat = measure(blade);
+  EXPECT_GT(flat.smallest_triangle, 0);
+  EXPECT_NEAR(flat.area, 3, 1e-6);
+  EXPECT_EQ(flat.euler, 1);
 }
 
 TEST(Profile, RefusesSizesBelowNothingAndLoopsThatDoNotClose) {
