@@ -81,7 +81,8 @@ void expect_the_same_within(const Workshop& workshop, int megabytes, int plenty)
   EXPECT_TRUE(bounded.picture == unbounded.picture);
   EXPECT_LT(bounded.peak_bytes, static_cast<std::size_t>(megabytes) * kMegabyte + kBesides);
   testing::Test::RecordProperty("peak_megabytes", static_cast<int>(bounded.peak_bytes / kMegabyte));
-  testing::Test::RecordProperty("peak_megabytes_with_plenty", static_cast<int>(unbounded.peak_bytes / kMegabyte));
+  testing::Test::RecordProperty("peak_megabytes_with_plenty",
+                                static_cast<int>(unbounded.peak_bytes / kMegabyte));
 }
 
 TEST(BigTexture, OfEveryKindOfFileGivesTheSamePictureInAFewMegabytes) {
@@ -110,8 +111,7 @@ TEST(BigTexture, SaysWhereItCannotUnpack) {
   write_image(workshop.folder() / "t.png", 2048, 0);
   workshop.write("s.json", floor_with("t.png"));
   // A file may not grow past a megabyte: a disk that is full.
-  const Outcome run =
-      workshop.shell("ulimit -f 1024; sweepkit render s.json -o p.png --texture-memory 16");
+  const Outcome run = workshop.shell("ulimit -f 1024; sweepkit render s.json -o p.png --texture-memory 16");
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.err.find("cannot unpack"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("TMPDIR"), std::string::npos) << run.err;
