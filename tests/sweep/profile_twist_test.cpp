@@ -199,6 +199,31 @@ TEST(Twist, OnALoopEndsWhereTheSectionFitsItself) {
   }
 }
 
+TEST(Twist, OnALoopEndsTheSameHoweverManyCellsTheContourHas) {
+  // At half of the way a star of 5 points is turned by half of a fifth of a turn: there N is +X and B is +Y.
+  const Law fifth = Law::bezier({{0, 0}, {1, 72}});
+  for (const int cells : {10, 59, 60, 61, 64, 96}) {
+    const Mesh ring = sweep(star_contour(5, 0.2, 0.1), circle_trajectory(1),
+                            {.tessellation = {cells, 32}, .twist_deg = fifth});
+    const Measures m = measure(ring);
+    EXPECT_EQ(m.open_edges, 0u) << cells;
+    EXPECT_LT(m.worst_normal_length, 1e-6) << cells;
+    const glm::dvec3 tip(-1 + 0.2 * std::cos(kPi / 5), 0.2 * std::sin(kPi / 5), 0);
+    double nearest = 1;
+    for (std::uint32_t i = 0; i < ring.positions().size(); ++i)
+      nearest = std::min(nearest, glm::distance(test::position(ring, i), tip));
+    EXPECT_LT(nearest, 1e-6) << cells;
+    // Sides of a star are as many as its cells, or a multiple of them.
+    EXPECT_LT(ring.triangles.size(), 2u * 32u * static_cast<unsigned>(cells + 10)) << cells;
+  }
+  // Nothing is added where nothing comes home turned.
+  EXPECT_EQ(
+      sweep(star_contour(5, 0.2, 0.1), circle_trajectory(1), {.tessellation = {64, 32}}).triangles.size(),
+      2u * 64u * 32u);
+  EXPECT_EQ(sweep(circle_contour(0.1), torus_knot(2, 3, 1, 0.4), {.tessellation = {10, 32}}).triangles.size(),
+            2u * 10u * 32u);
+}
+
 TEST(Twist, TogetherWithAProfileStaysSound) {
   const Law swell = Law::through({{0, 1}, {0.3, 1.6}, {0.7, 0.6}, {1, 1}});
   const Curve3 way = bezier_curve<3>({{0, 0, 0}, {2, 6, 0}, {8, -4, 3}, {10, 2, 0}});
