@@ -12,6 +12,7 @@
 #include <cmath>
 #include <string>
 
+#include "cusps.hpp"
 #include "gauss_legendre.hpp"
 #include "number_text.hpp"
 #include "sweepkit/error.hpp"
@@ -107,6 +108,8 @@ Curve<D>::Curve(std::vector<Segment<D>> segments) : segments_(std::move(segments
     return std::visit([](const auto& kind) { return is_point(kind); }, segment);
   });
   if (segments_.empty()) throw InputError("has no length: all its points are the same; give two that differ");
+  // In space a cusp is a finding: no joint bends that sharply.
+  if constexpr (D == 2) segments_ = split_at_cusps(std::move(segments_));
 
   double size = 0;
   const Vector<D> start = sweep::evaluate<D>(segments_.front(), 0).position;

@@ -23,9 +23,6 @@ namespace {
 constexpr double kDensityStep = 1.0 / 16;
 // Finer than this nothing is divided: some 16 times what a mesh may have along a side.
 constexpr std::size_t kMostDense = std::size_t{1} << 19;
-// A loop's contour that covers itself when turned is divided alike in so many parts at most, and comes home
-// turned by one of them. Of a circle's symmetry no more is made use of, or no column could be left out.
-constexpr int kMostPeriods = 12;
 // Directions whose extreme columns are looked at.
 constexpr int kDirections = 12;
 

@@ -16,6 +16,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "counted_sweep.hpp"
 #include "dense_sweep.hpp"
 #include "halving.hpp"
 #include "morph.hpp"
@@ -90,10 +91,7 @@ void add_stretches(std::vector<Finding>& findings, const Spine& spine, double li
   }
 }
 
-struct Checked {
-  std::vector<Morph> morphs;
-  Spine spine;
-
+struct Checked : CountedSweep {
   glm::dvec2 point(std::size_t outline, std::size_t column, std::size_t row) const {
     const Morph& morph = morphs[outline];
     return point_at(morph, key_weights(morph, spine.shares[row]), column, true).position;
@@ -370,10 +368,9 @@ std::vector<Finding> check_sweep(std::span<const Curve2> contour, const Curve3& 
                                  const SweepOptions& options) {
   const ContourSamplers samplers = make_samplers(contour, options.morph, options.crease_deg, options.uv.by,
                                                  OutlineSampler::PiecesBy::kCorners);
-  Checked checked;
-  checked.morphs = sample(samplers, kColumns);
   const auto [trajectory, least_cells] = join_corners(given, samplers, options);
-  checked.spine = make_spine(trajectory, look_at_bends(trajectory, least_cells), checked.morphs, options);
+  const std::vector<Station> stations = look_at_bends(trajectory, least_cells);
+  const Checked checked{make_counted_sweep(samplers, kColumns, trajectory, stations, options)};
   std::vector<Finding> findings;
   find_folds(findings, checked);
   leave_out_folds_at(find_cusps(checked), findings);

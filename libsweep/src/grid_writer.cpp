@@ -40,7 +40,7 @@ std::vector<Run> split_runs(const std::vector<bool>& breaks) {
 }
 
 void lay_out_wall(Mesh& mesh, const std::vector<Run>& column_runs, const std::vector<Run>& row_runs,
-                  const std::vector<bool>& pole_rows, glm::dvec2 period) {
+                  const Poles& poles, glm::dvec2 period) {
   Area area;
   area.first_triangle = static_cast<std::uint32_t>(mesh.triangles.size());
   area.u_period = period.x;
@@ -49,17 +49,18 @@ void lay_out_wall(Mesh& mesh, const std::vector<Run>& column_runs, const std::ve
   std::size_t triangles = mesh.triangles.size();
   const std::size_t first_patch = mesh.patches.size();
   for (const Run& rows : row_runs) {
-    for (const Run& columns : column_runs) {
+    for (std::size_t run = 0; run < column_runs.size(); ++run) {
+      const Run& columns = column_runs[run];
       GridPatch patch;
       patch.first_vertex = static_cast<std::uint32_t>(vertices);
       patch.first_triangle = static_cast<std::uint32_t>(triangles);
       patch.columns = static_cast<std::uint32_t>(columns.last - columns.first);
       patch.rows = static_cast<std::uint32_t>(rows.last - rows.first);
-      patch.has_first_pole = pole_rows[rows.first];
-      patch.has_last_pole = pole_rows[rows.last];
+      patch.has_first_pole = poles[run][rows.first];
+      patch.has_last_pole = poles[run][rows.last];
       patch.area = static_cast<std::uint32_t>(mesh.areas.size());
       if (patch.rows == 1 && patch.has_first_pole && patch.has_last_pole)
-        continue;  // on the axis: no surface
+        continue;  // on the axis, or pressed to a line: no surface
       vertices += patch.vertex_count();
       triangles += patch.triangle_count();
       mesh.patches.push_back(patch);

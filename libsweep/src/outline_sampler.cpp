@@ -315,7 +315,10 @@ ContourSamplers make_samplers(std::span<const Curve2> contour, std::span<const M
   return samplers;
 }
 
-std::vector<Morph> sample(const ContourSamplers& samplers, int cells) {
+namespace {
+
+// `cells` shared among the pieces of all outlines.
+std::vector<int> share_among(const ContourSamplers& samplers, int cells) {
   std::vector<Piece> pieces;
   for (const OutlineSampler& outline : samplers.outlines) {
     pieces.insert(pieces.end(), outline.pieces().begin(), outline.pieces().end());
@@ -325,15 +328,31 @@ std::vector<Morph> sample(const ContourSamplers& samplers, int cells) {
         pieces[k].least_cells = outline.pieces().size() == 1 ? 3 : 2;
     }
   }
-  const std::vector<int> shares = share_cells(pieces, cells);
+  return share_cells(pieces, cells);
+}
+
+std::vector<Morph> sample_shares(const ContourSamplers& samplers, std::span<const int> shares) {
   std::vector<Morph> morphs;
   morphs.reserve(samplers.outlines.size());
-  std::span<const int> left = shares;
   for (const OutlineSampler& outline : samplers.outlines) {
-    morphs.push_back(outline.sample(left.first(outline.pieces().size())));
-    left = left.subspan(outline.pieces().size());
+    std::vector<int> cells(shares.begin(),
+                           shares.begin() + static_cast<std::ptrdiff_t>(outline.pieces().size()));
+    outline.make_periods_equal(cells);
+    morphs.push_back(outline.sample(cells));
+    shares = shares.subspan(outline.pieces().size());
   }
   return morphs;
+}
+
+}  // namespace
+
+std::vector<Morph> sample(const ContourSamplers& samplers, int cells) {
+  return sample_shares(samplers, share_among(samplers, cells));
+}
+
+std::vector<Morph> sample_periodically(ContourSamplers samplers, int cells) {
+  for (OutlineSampler& outline : samplers.outlines) outline.make_periodic(kMostPeriods);
+  return sample(samplers, cells);
 }
 
 }  // namespace sweepkit::sweep

@@ -16,6 +16,10 @@
 
 namespace sweepkit::sweep {
 
+/// A loop's contour that covers itself when turned is divided alike in so many parts at most, and comes home
+/// turned by one of them. Of a circle's symmetry no more is made use of, or no column could be left out.
+inline constexpr int kMostPeriods = 12;
+
 /// An outline, or several that it changes between, ready to be divided into columns.
 class OutlineSampler {
  public:
@@ -42,6 +46,7 @@ class OutlineSampler {
   /// Cuts the pieces so that they repeat n times, n at most `most` the turns of a circle that bring the
   /// outline onto itself. One that changes has none.
   void make_periodic(int most);
+  int periods() const { return periods_; }
   /// Gives pieces that repeat the largest of their values.
   template <class Value>
   void make_periods_equal(std::vector<Value>& values) const {
@@ -81,5 +86,9 @@ ContourSamplers make_samplers(std::span<const Curve2> contour, std::span<const M
 
 /// Every outline in columns, `cells` in all shared among their pieces by length, at least one each.
 std::vector<Morph> sample(const ContourSamplers& samplers, int cells);
+
+/// The same with the columns of contours that cover themselves when turned alike in all of those parts, at
+/// most kMostPeriods: as few more than `cells` as that takes.
+std::vector<Morph> sample_periodically(ContourSamplers samplers, int cells);
 
 }  // namespace sweepkit::sweep

@@ -26,7 +26,7 @@ Mesh plane(glm::dvec2 size, const PlaneOptions& options) {
   const auto rows = static_cast<std::size_t>(options.tessellation.trajectory);
   const glm::dvec2 repeat = with_repeats(options.uv, {size.x, false}, {size.y, false}).repeat;
   Mesh mesh;
-  lay_out_wall(mesh, {{0, columns}}, {{0, rows}}, std::vector<bool>(rows + 1, false), glm::dvec2(0.0));
+  lay_out_wall(mesh, {{0, columns}}, {{0, rows}}, {std::vector<bool>(rows + 1, false)}, glm::dvec2(0.0));
   std::size_t vertex = 0;
   for (std::size_t j = 0; j <= rows; ++j) {
     const double v = static_cast<double>(j) / static_cast<double>(rows);

@@ -92,11 +92,11 @@ Box box_of(const std::vector<Section>& sections) {
 }
 
 void add_wall(Mesh& mesh, const Section& section, const Turn& turn, const UvOptions& uv) {
-  std::vector<bool> poles(section.points.size());
+  Poles poles(1);
   std::vector<bool> breaks = section.breaks;
-  for (std::size_t j = 0; j < poles.size(); ++j) {
-    poles[j] = section.points[j].position.x == 0;
-    if (poles[j]) breaks[j] = true;
+  for (std::size_t j = 0; j < breaks.size(); ++j) {
+    poles.front().push_back(section.points[j].position.x == 0);
+    if (poles.front()[j]) breaks[j] = true;
   }
   const std::vector<Run> column_runs = {{0, turn.at.size() - 1}};
   const std::vector<Run> row_runs = split_runs(breaks);

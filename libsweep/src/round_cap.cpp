@@ -66,12 +66,13 @@ void add_round_cap(Mesh& mesh, const Section& section, const Row& row, End end, 
   const double height = dome.height;
   const std::vector<Run> column_runs = split_runs(section.breaks);
   const std::vector<Run> row_runs = {{0, rows}};
-  std::vector<bool> poles(rows + 1, false);
+  std::vector<bool> pole_rows(rows + 1, false);
   if (is_first) {
-    poles.front() = true;
+    pole_rows.front() = true;
   } else {
-    poles.back() = true;
+    pole_rows.back() = true;
   }
+  const Poles poles(column_runs.size(), pole_rows);
   const auto first_vertex = static_cast<std::uint32_t>(mesh.n_vertices());
   lay_out_wall(mesh, column_runs, row_runs, poles, {uv.repeat.x, 0});
   for_each_wall_row(

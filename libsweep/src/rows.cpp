@@ -154,6 +154,7 @@ std::vector<Row> make_rows(const Curve3& trajectory, const std::vector<Station>&
     row.center = point.position;
     row.is_corner = stations[i].is_corner;
     row.is_pole = size.value == glm::dvec2(0.0);
+    row.is_pressed = (size.value.x == 0) != (size.value.y == 0);
     // Only at a corner the two sides differ; an open end has one.
     const Slide& slide = i == 0 && !row.is_corner ? slides[i].out : slides[i].in;
     row.out = make_side(point, frames[i].out, row.is_corner ? slides[i].out : slide, size);

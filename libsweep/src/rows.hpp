@@ -31,7 +31,8 @@ struct Row {
   glm::dvec3 y_direction;
   RowSide in, out;
   bool is_corner = false;
-  bool is_pole = false;  ///< the profile has shrunk the section to a point
+  bool is_pole = false;     ///< the profile has shrunk the section to a point
+  bool is_pressed = false;  ///< to a line: one of the axes is 0
 };
 
 /// Where a point of the section's plane lies.

@@ -19,7 +19,7 @@ std::vector<bool> row_breaks(const std::vector<Row>& rows, const SweepOptions& o
   std::vector<bool> breaks;
   breaks.reserve(rows.size());
   for (const Row& row : rows) {
-    breaks.push_back(row.is_pole ||
+    breaks.push_back(row.is_pole || row.is_pressed ||
                      (row.is_corner && glm::dot(row.in.frame.tangent, row.out.frame.tangent) < crease_cos));
   }
   return breaks;

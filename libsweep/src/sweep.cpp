@@ -15,6 +15,7 @@
 #include <string>
 #include <utility>
 
+#include "counted_sweep.hpp"
 #include "dense_sweep.hpp"
 #include "flat_cap.hpp"
 #include "float_positions.hpp"
@@ -77,11 +78,13 @@ Swept sweep_by_counts(std::span<const Curve2> contour, const Curve3& given, cons
                                                  OutlineSampler::PiecesBy::kCorners);
   Swept swept;
   swept.outer_of = samplers.outer_of;
-  swept.morphs = sample(samplers, options.tessellation.contour);
   const auto [trajectory, least_cells] = join_corners(given, samplers, options);
   const std::vector<Station> stations =
       place_stations(trajectory, options.tessellation.trajectory, least_cells);
-  swept.spine = make_spine(trajectory, stations, swept.morphs, options);
+  CountedSweep counted =
+      make_counted_sweep(samplers, options.tessellation.contour, trajectory, stations, options);
+  swept.morphs = std::move(counted.morphs);
+  swept.spine = std::move(counted.spine);
   for (std::size_t i = 0; i < swept.morphs.size(); ++i) {
     swept.closing_columns.push_back(closing_columns(swept.morphs[i], swept.spine, swept.outer_of[i] != i));
   }

@@ -8,7 +8,8 @@
 //   dS/ds x dS/dt = a (y' N - x' B),   a = 1 - x kN - y kB,
 // kN and kB the curvature. a < 0 where the contour reaches past the centre of curvature and the surface folds
 // over; the normal keeps to the contour's outside there. At a pole dS/ds is 0 and its direction takes its
-// place.
+// place. Where the profile presses the section flat, sides along the pressed axis shrink to points: they are
+// runs of columns of their own and have a pole each.
 
 #include "wall.hpp"
 
@@ -29,7 +30,9 @@ glm::dvec3 plain_normal(const Frame& frame, const glm::dvec2& tangent) {
 glm::dvec3 normal_of(const Row& row, const RowSide& side, const RowPoint& point, bool is_plain) {
   // Where only the trajectory bends, both derivatives lie in planes that this is perpendicular to.
   if (is_plain) return plain_normal(side.frame, point.tangent);
-  const glm::dvec3 across = point.tangent.x * row.x_direction + point.tangent.y * row.y_direction;
+  glm::dvec3 across = point.tangent.x * row.x_direction + point.tangent.y * row.y_direction;
+  if (across == glm::dvec3(0.0))  // pressed to a point, which leaves the direction
+    across = point.tangent.x * side.frame.normal + point.tangent.y * side.frame.binormal;
   const glm::dvec3 ahead = side.frame.tangent + point.position.x * side.x_rate +
                            point.position.y * side.y_rate + point.rate.x * row.x_axis +
                            point.rate.y * row.y_axis;
@@ -46,28 +49,68 @@ glm::dvec3 normal_of(const Row& row, const RowSide& side, const RowPoint& point,
 class WallWriter {
  public:
   WallWriter(Mesh& mesh, const Wall& wall, const Spine& spine, const UvOptions& uv)
-      : mesh_(mesh), wall_(wall), spine_(spine), v_scale_(uv.repeat.y) {
+      : mesh_(mesh),
+        wall_(wall),
+        spine_(spine),
+        column_runs_(wall.column_runs),
+        poles_(wall.column_runs.size(), spine.poles),
+        v_scale_(uv.repeat.y) {
+    find_pressed_sides();
     const std::vector<double>& fractions = wall.morph.keys.front().fractions;
     u_.reserve(fractions.size());
     for (const double fraction : fractions) u_.push_back(static_cast<float>(fraction * uv.repeat.x));
   }
 
-  void write(std::uint32_t first_vertex) {
-    std::size_t table_run = wall_.column_runs.size();  // whose points are in points_, of no row's own
-    for_each_wall_row(first_vertex, wall_.column_runs, spine_.runs, spine_.poles,
+  void write(glm::dvec2 period) {
+    const auto first_vertex = static_cast<std::uint32_t>(mesh_.n_vertices());
+    lay_out_wall(mesh_, column_runs_, spine_.runs, poles_, period);
+    std::size_t table_run = column_runs_.size();  // whose points are in points_, of no row's own
+    for_each_wall_row(first_vertex, column_runs_, spine_.runs, poles_,
                       [&](std::size_t vertex, std::size_t run, std::size_t row, std::size_t first,
                           std::size_t last, bool begins_run) {
                         const bool is_own = wall_.morph.changes() || is_home(row);
                         if (is_own || table_run != run) {
-                          look_up(wall_.column_runs[run], row);
-                          table_run = is_own ? wall_.column_runs.size() : run;
+                          look_up(column_runs_[run], row);
+                          table_run = is_own ? column_runs_.size() : run;
                         }
-                        write_row(vertex, wall_.column_runs[run].first, row, first, last, begins_run);
+                        write_row(vertex, column_runs_[run].first, row, first, last, begins_run);
                       });
   }
 
  private:
   bool is_home(std::size_t row) const { return row + 1 == spine_.rows.size() && wall_.closing_columns > 0; }
+
+  glm::vec3 vertex_at(const Row& row, const glm::dvec2& point) const {
+    return {position_of(row, point) - mesh_.origin};
+  }
+
+  // Columns whose vertices are one place in a row that is pressed flat become runs with a pole there.
+  void find_pressed_sides() {
+    const std::size_t columns = wall_.morph.columns();
+    std::vector<std::size_t> rows;
+    std::vector<std::vector<bool>> is_shrunk;  // for every such row, a flag a cell
+    for (std::size_t j = 0; j < spine_.rows.size(); ++j) {
+      const Row& row = spine_.rows[j];
+      if (!row.is_pressed) continue;
+      look_up({0, columns}, j);
+      rows.push_back(j);
+      std::vector<bool>& flags = is_shrunk.emplace_back(columns);
+      for (std::size_t i = 0; i < columns; ++i)
+        flags[i] = vertex_at(row, points_[i].position) == vertex_at(row, points_[i + 1].position);
+    }
+    if (rows.empty()) return;
+    std::vector<bool> splits(columns + 1, false);
+    for (const Run& run : wall_.column_runs) splits[run.first] = true;
+    for (const std::vector<bool>& flags : is_shrunk) {
+      for (std::size_t i = 1; i < columns; ++i) splits[i] = splits[i] || flags[i - 1] != flags[i];
+    }
+    column_runs_ = split_runs(splits);
+    poles_.assign(column_runs_.size(), spine_.poles);
+    for (std::size_t run = 0; run < column_runs_.size(); ++run) {
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        poles_[run][rows[k]] = is_shrunk[k][column_runs_[run].first];
+    }
+  }
 
   // The points of a run of columns, as they are in this row.
   void look_up(const Run& columns, std::size_t row) {
@@ -117,6 +160,8 @@ class WallWriter {
   Mesh& mesh_;
   const Wall& wall_;
   const Spine& spine_;
+  std::vector<Run> column_runs_;
+  Poles poles_;
   double v_scale_;
   std::vector<float> u_;
   std::vector<RowPoint> points_;
@@ -125,11 +170,9 @@ class WallWriter {
 }  // namespace
 
 void add_wall(Mesh& mesh, const Wall& wall, const Spine& spine, const UvOptions& uv) {
-  const auto first = static_cast<std::uint32_t>(mesh.n_vertices());
   const glm::dvec2 period(wall.morph.keys.front().is_closed ? uv.repeat.x : 0,
                           spine.is_closed ? uv.repeat.y : 0);
-  lay_out_wall(mesh, wall.column_runs, spine.runs, spine.poles, period);
-  WallWriter(mesh, wall, spine, uv).write(first);
+  WallWriter(mesh, wall, spine, uv).write(period);
 }
 
 }  // namespace sweepkit::sweep

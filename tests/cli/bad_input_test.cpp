@@ -311,6 +311,17 @@ TEST(FailedWrite, LeavesTheFileThatWasThereBefore) {
   EXPECT_EQ(workshop.contents(), before);
 }
 
+TEST(FailedWrite, BeyondTheLargestFileAllowedSaysSoAndLeavesNothing) {
+  const Workshop workshop;
+  workshop.write("scene.json", scene_of(kBall));
+  const auto before = workshop.contents();
+  // 4 KiB, of which the ball needs some 20.
+  const Outcome run = workshop.shell("ulimit -f 4; sweepkit generate scene.json -o out.glb");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "sweepkit: out.glb: cannot be written: File too large\n");
+  EXPECT_EQ(workshop.contents(), before);
+}
+
 TEST(LockedFolder, IsRefusedBeforeAnyWork) {
   if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const Workshop workshop;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "mesh_measures.hpp"
@@ -72,6 +73,13 @@ double largest_difference(const Mesh& a, const Mesh& b, double scale) {
   for (std::uint32_t i = 0; i < a.positions().size(); ++i)
     largest = std::max(largest, glm::distance(test::position(a, i), scale * test::position(b, i)));
   return largest;
+}
+
+Curve2 contour_moved_aside(std::vector<std::vector<glm::dvec2>> segments) {
+  for (std::vector<glm::dvec2>& segment : segments) {
+    for (glm::dvec2& point : segment) point.x += 2;
+  }
+  return joined_bezier_curve<2>(segments);
 }
 
 TEST(Extreme, CuspsAreFoundAndLeaveTheMeshSound) {
@@ -402,6 +410,27 @@ TEST(Extreme, ContoursWithCuspsAndSlitsAreSweptSoundly) {
   const Curve3 line = polyline<3>({{0, 0, 0}, {0, 0, 1}}, false);
   expect_sound(sweep(joined_bezier_curve<2>(arcs), line));
   expect_sound(sweep(joined_bezier_curve<2>(arcs), line, {.tessellation = {.tolerance = 1e-3}}));
+  // A cusp in the middle of a segment: the semicubical parabola (t^2, t^3), closed by a line; a cubic whose
+  // control polygon crosses itself, scaled to coordinates that are not whole; a quartic.
+  const std::vector<std::vector<std::vector<glm::dvec2>>> hooks = {
+      {{{1, -1}, {-1.0 / 3, 1}, {-1.0 / 3, -1}, {1, 1}}, {{1, 1}, {1, -1}}},
+      {{{0, 0}, {0.7, 0.3}, {0, 0.3}, {0.7, 0}}, {{0.7, 0}, {0, 0}}},
+      {{{0, 0}, {1, 0}, {0.4, 1}, {0, 0.5}, {1, 0.1}}}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Curve2 contour = joined_bezier_curve<2>(hooks[i]);
+    int corners = 0;
+    for (std::size_t k = 0; k < contour.segments().size(); ++k) corners += contour.is_corner(k) ? 1 : 0;
+    EXPECT_EQ(corners, 3);  // the cusp and both ends of the line
+    for (const std::optional<double> tolerance : {std::optional<double>(), std::optional<double>(1e-3)}) {
+      const Mesh mesh = sweep(contour, line, {.tessellation = {.tolerance = tolerance}});
+      expect_sound(mesh);
+      // Neighbouring columns bend by less than half a right angle, the cusp's sides by none.
+      EXPECT_GT(measure(mesh).worst_normal_cosine, std::cos(kPi / 4));
+    }
+    EXPECT_GT(measure(revolve(contour_moved_aside(hooks[i]))).worst_normal_cosine, std::cos(kPi / 4));
+  }
+  // Slow, but not at rest: one segment, as it was.
+  EXPECT_EQ(bezier_curve<2>(hooks[2].front()).segments().size(), 1u);
   // A slit a billionth wide.
   const Curve2 slit = polyline<2>(
       {{0, 0}, {1, 0}, {1, 0.5}, {0.1, 0.5}, {0.1, 0.5 + 1e-9}, {1, 0.5 + 1e-9}, {1, 1}, {0, 1}}, true);

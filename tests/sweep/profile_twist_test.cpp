@@ -3,8 +3,10 @@
 // Sweeps whose section changes along the way, against closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "mesh_measures.hpp"
 #include "sweepkit/error.hpp"
@@ -105,6 +107,44 @@ TEST(Profile, OfTwoAxesStretchesThemApart) {
   }
 }
 
+TEST(Profile, PressedFlatOnOneAxisMakesAnEdgeWithoutTrianglesOfNoArea) {
+  // A chisel: all of its front and back, nothing of its sides is left at the end. Half of the bar's volume.
+  const Law falling = Law::bezier({{0, 1}, {1, 0}});
+  // Cells of 1/32 m, which is exact: front and back have the same vertices along the edge.
+  const Tessellation even{48, 16};
+  const Mesh chisel =
+      sweep(rectangle_contour(0.25, 0.5), straight(3), {.tessellation = even, .profile = {falling, 1}});
+  const Measures m = measure(chisel);
+  EXPECT_GT(m.smallest_triangle, 0);
+  EXPECT_EQ(m.leaking_edges, 0u);
+  EXPECT_EQ(m.euler, 2);
+  EXPECT_NEAR(m.volume, 0.5 * 0.25 * 0.5 * 3, 1e-6);
+  EXPECT_GT(m.worst_normal_cosine, 1 - 1e-6);  // it is flat all round
+  // A roof leans on its short sides too.
+  const Mesh roof = sweep(rectangle_contour(0.25, 0.5), straight(3),
+                          {.profile = {falling, Law::bezier({{0, 1}, {1, 0.5}})}});
+  EXPECT_GT(measure(roof).smallest_triangle, 0);
+  EXPECT_GT(measure(roof).worst_normal_cosine, 1 - 1e-6);
+  // In the middle of the way, by tolerance, with round corners, and of an open contour, which shrinks to a
+  // point there.
+  const Law waist = Law::through({{0, 1}, {0.5, 0}, {1, 1}});
+  const Mesh bow =
+      sweep(rectangle_contour(0.25, 0.5), straight(3), {.tessellation = even, .profile = {waist, 1}});
+  EXPECT_GT(measure(bow).smallest_triangle, 0);
+  EXPECT_EQ(measure(bow).leaking_edges, 0u);
+  for (const std::optional<double> tolerance : {std::optional<double>(), std::optional<double>(1e-3)}) {
+    const Mesh round = sweep(rectangle_contour(0.2, 0.4, 0.05), straight(3),
+                             {.tessellation = {.tolerance = tolerance}, .profile = {1, falling}});
+    EXPECT_GT(measure(round).smallest_triangle, 0);
+    EXPECT_LT(measure(round).worst_normal_length, 1e-6);
+  }
+  const Mesh blade = sweep(polyline<2>({{-1, 0}, {1, 0}}, false), straight(3), {.profile = {falling, 1}});
+  const Measures flat = measure(blade);
+  EXPECT_GT(flat.smallest_triangle, 0);
+  EXPECT_NEAR(flat.area, 3, 1e-6);
+  EXPECT_EQ(flat.euler, 1);
+}
+
 TEST(Profile, RefusesSizesBelowNothingAndLoopsThatDoNotClose) {
   EXPECT_THROW(sweep(circle_contour(1), straight(1), {.profile = {-1, 1}}), InputError);
   EXPECT_THROW(sweep(circle_contour(1), circle_trajectory(5),
@@ -157,6 +197,31 @@ TEST(Twist, OnALoopEndsWhereTheSectionFitsItself) {
     expect_sound(m, 0.98);
     EXPECT_EQ(m.euler, 0) << total;
   }
+}
+
+TEST(Twist, OnALoopEndsTheSameHoweverManyCellsTheContourHas) {
+  // At half of the way a star of 5 points is turned by half of a fifth of a turn: there N is +X and B is +Y.
+  const Law fifth = Law::bezier({{0, 0}, {1, 72}});
+  for (const int cells : {10, 59, 60, 61, 64, 96}) {
+    const Mesh ring = sweep(star_contour(5, 0.2, 0.1), circle_trajectory(1),
+                            {.tessellation = {cells, 32}, .twist_deg = fifth});
+    const Measures m = measure(ring);
+    EXPECT_EQ(m.open_edges, 0u) << cells;
+    EXPECT_LT(m.worst_normal_length, 1e-6) << cells;
+    const glm::dvec3 tip(-1 + 0.2 * std::cos(kPi / 5), 0.2 * std::sin(kPi / 5), 0);
+    double nearest = 1;
+    for (std::uint32_t i = 0; i < ring.positions().size(); ++i)
+      nearest = std::min(nearest, glm::distance(test::position(ring, i), tip));
+    EXPECT_LT(nearest, 1e-6) << cells;
+    // Sides of a star are as many as its cells, or a multiple of them.
+    EXPECT_LT(ring.triangles.size(), 2u * 32u * static_cast<unsigned>(cells + 10)) << cells;
+  }
+  // Nothing is added where nothing comes home turned.
+  EXPECT_EQ(
+      sweep(star_contour(5, 0.2, 0.1), circle_trajectory(1), {.tessellation = {64, 32}}).triangles.size(),
+      2u * 64u * 32u);
+  EXPECT_EQ(sweep(circle_contour(0.1), torus_knot(2, 3, 1, 0.4), {.tessellation = {10, 32}}).triangles.size(),
+            2u * 10u * 32u);
 }
 
 TEST(Twist, TogetherWithAProfileStaysSound) {

@@ -27,6 +27,8 @@ void handle_interrupts() {
     sigfillset(&action.sa_mask);
     sigaction(signal, &action, nullptr);
   }
+  // Then a file that may not grow any more is a failed write like that on a full disk, told and cleaned up.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace sweepkit::tools

@@ -68,7 +68,8 @@ struct CurveLocation {
 };
 
 /// Smooth segments joined end to end, measured by arc length (relative error below 1e-9).
-/// Corners - joints where the direction jumps - are kept and known.
+/// Corners - joints where the direction jumps - are kept and known. A plane Bezier segment that turns back in
+/// a cusp is kept as two, with a corner between them.
 template <int D>
 class Curve {
  public:
