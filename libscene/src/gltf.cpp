@@ -230,11 +230,9 @@ class Writer {
       return add_texture(add_image(baked.image, object.name), texmap::Wrap::kRepeat);
     }
     const MeshView& mesh = scene_.meshes[object.mesh];
-    std::vector<std::uint32_t> area_ends;
-    area_ends.reserve(mesh.areas.size());
-    for (const sweep::Area& area : mesh.areas) area_ends.push_back(area.first_triangle + area.triangle_count);
+    const std::vector<std::uint32_t> ends = sheet_ends(mesh);
     texmap::BakedTexture baked =
-        texmap::bake(procedural, {mesh.positions, mesh.texcoords, mesh.triangles, area_ends, mesh.origin},
+        texmap::bake(procedural, {mesh.positions, mesh.texcoords, mesh.triangles, ends, mesh.origin},
                      {options_.bake_size, options_.bake_size});
     transforms = std::move(baked.transforms);
     count_bake(baked.image);

@@ -25,11 +25,10 @@ struct Bake {
 texmap::BakedTexture bake_only_object(const scene::Scene& scene, const texmap::BakeOptions& options) {
   const scene::Object& object = scene.objects.front();
   const scene::MeshView& mesh = scene.meshes[object.mesh];
-  std::vector<std::uint32_t> area_ends;
-  for (const sweep::Area& area : mesh.areas) area_ends.push_back(area.first_triangle + area.triangle_count);
+  const std::vector<std::uint32_t> ends = scene::sheet_ends(mesh);
   const std::size_t texture = *scene.materials[*object.material].texture;
   return texmap::bake(scene.textures[texture],
-                      {mesh.positions, mesh.texcoords, mesh.triangles, area_ends, mesh.origin}, options);
+                      {mesh.positions, mesh.texcoords, mesh.triangles, ends, mesh.origin}, options);
 }
 
 void bake(const Bake& command) {
