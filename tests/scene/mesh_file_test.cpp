@@ -122,7 +122,8 @@ TEST(MeshFile, EveryPrefixIsReadOrRefused) {
       EXPECT_TRUE(is_refused || fault.empty()) << fault;
       EXPECT_EQ(fault.find('\n'), std::string::npos);
       // Of text a last line may lose its colours, its line feed or a digit; binary has not a byte to spare.
-      if (file.format.find("binary") != std::string::npos) EXPECT_TRUE(is_refused) << length;
+      const bool is_binary = file.format.find("binary") != std::string::npos;
+      EXPECT_TRUE(is_refused || !is_binary) << length;
     }
   }
 }
@@ -190,7 +191,10 @@ TEST(MeshFile, NamesEveryFaultWithItsPlace) {
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
   std::string nan_stl = binary_stl();
-  nan_stl.replace(84 + 12, 4, "\xFF\xFF\xFF\x7F");
+  for (std::size_t k = 0; k < 3; ++k) nan_stl[84 + 12 + k] = '\xFF';
+  nan_stl[84 + 12 + 3] = '\x7F';
+  std::string cut_stl = binary_stl().substr(0, 180);
+  cut_stl[0] = 'x';
   for (const Fault& fault : std::vector<Fault>{
            {"a.obj", "", "is empty"},
            {"a.gltf", "x", "its name needs to end in .obj, .ply, .stl or .off"},
@@ -235,7 +239,7 @@ TEST(MeshFile, NamesEveryFaultWithItsPlace) {
            {"a.stl", "solid\nfacet\nendfacet\n", "a facet needs 3 vertices, got 0"},
            {"a.stl", "solid\nfaced\n", "needs a word of an STL file"},
            {"a.stl", "hello", "is no STL file"},
-           {"a.stl", binary_stl().substr(0, 180).replace(0, 5, "SOLXD"), "says that it has 2 triangles"},
+           {"a.stl", cut_stl, "says that it has 2 triangles"},
            {"a.stl", nan_stl, "triangle 1 has a coordinate of nan"},
        }) {
     const std::string got = fault_of(fault.bytes, fault.name);
@@ -248,8 +252,9 @@ TEST(MeshFile, RefusesAFaceOfMoreCornersThanItCutsInTime) {
   std::string text;
   std::string face = "f";
   for (int i = 1; i <= 1001; ++i) {
-    text += "v " + std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
-    face += " " + std::to_string(i);
+    text +=
+        std::string("v ").append(std::to_string(i)).append(" ").append(std::to_string(i % 7)).append(" 0\n");
+    face.append(" ").append(std::to_string(i));
   }
   EXPECT_NE(fault_of(text + face + "\n", "a.obj").find("more than 1000 corners"), std::string::npos);
 }

@@ -195,10 +195,9 @@ TEST_F(MeshShapes, AreLookedAtForCrossings) {
   const Document sound = document(kCubeObject);
   EXPECT_TRUE(check(sound, build(sound, plan(sound, kFile))).empty());
   std::string two = kCube;
-  for (int k = 0; k < 8; ++k) {
-    two += "v " + std::to_string(100 + (k % 4 == 1 || k % 4 == 2 ? 1.3 : -0.6)) + " " +
-           std::to_string(k % 4 >= 2 ? 1.4 : -0.5) + " " + std::to_string(k >= 4 ? 1.5 : -0.4) + "\n";
-  }
+  two +=
+      "v 99.4 -0.5 -0.4\nv 101.3 -0.5 -0.4\nv 101.3 1.4 -0.4\nv 99.4 1.4 -0.4\n"
+      "v 99.4 -0.5 1.5\nv 101.3 -0.5 1.5\nv 101.3 1.4 1.5\nv 99.4 1.4 1.5\n";
   two += "f 9 12 11 10\nf 13 14 15 16\nf 9 10 14 13\nf 11 12 16 15\nf 10 11 15 14\nf 12 9 13 16\n";
   folder.write("two.obj", two);
   const Document crossing = document(R"({"name": "a", "mesh": {"file": "two.obj"}})");
