@@ -6,16 +6,14 @@ namespace sweepkit::scene {
 
 texmap::BakedTexture bake_over(const MeshView& mesh, const texmap::Texture& texture,
                                const texmap::BakeOptions& options) {
-  std::vector<std::uint32_t> area_ends;
+  const std::vector<std::uint32_t> ends = sheet_ends(mesh);
   std::vector<glm::dvec2> periods;
-  area_ends.reserve(mesh.areas.size());
-  periods.reserve(mesh.areas.size());
+  periods.reserve(ends.size());
   for (const sweep::Area& area : mesh.areas) {
-    area_ends.push_back(area.first_triangle + area.triangle_count);
-    periods.emplace_back(area.u_period, area.v_period);
+    if (!area.continues_sheet || periods.empty()) periods.emplace_back(area.u_period, area.v_period);
   }
-  return texmap::bake(
-      texture, {mesh.positions, mesh.texcoords, mesh.triangles, area_ends, mesh.origin, periods}, options);
+  return texmap::bake(texture, {mesh.positions, mesh.texcoords, mesh.triangles, ends, mesh.origin, periods},
+                      options);
 }
 
 }  // namespace sweepkit::scene

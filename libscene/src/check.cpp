@@ -53,14 +53,20 @@ std::vector<SceneFinding> check(const Document& document, const Model& model, Th
         const sweep::Mesh& whole = *model.meshes[model.scene.objects[i].mesh];
         const bool is_quick =
             thoroughness == Thoroughness::kQuick && whole.triangles.size() > kQuickTriangles;
+        const bool is_file = std::holds_alternative<MeshShape>(piece.shape);
+        // A file has no coarser mesh of the same surface.
+        if (is_file && is_quick) continue;
         const bool is_alone = entry.pieces.size() == 1 && !is_quick;
         if (is_sound) {
           Piece looked_at = piece;
           if (is_quick) looked_at.tessellation = kQuickCells;
-          const std::vector<sweep::Finding> crossings =
-              is_alone ? sweep::find_crossings(whole) : sweep::find_crossings(make_mesh(looked_at, false));
-          for (const sweep::Finding& crossing : crossings) {
-            if (!is_of_a_fold(crossing, findings)) findings.push_back(crossing);
+          Cost ignored;
+          std::vector<sweep::Finding> crossings =
+              is_alone ? sweep::find_crossings(whole)
+                       : sweep::find_crossings(make_mesh(looked_at, {}, ignored));
+          for (sweep::Finding& crossing : crossings) {
+            if (is_file) crossing.cure = "mend the file's mesh there";
+            if (!is_of_a_fold(crossing, findings)) findings.push_back(std::move(crossing));
           }
         }
         // A mesh of one piece has the piece's placement in it already; the curves have not.

@@ -20,7 +20,7 @@ inline constexpr std::size_t kMostShortVertices = 65535;
 std::vector<std::uint16_t> short_indices(std::span<const sweep::Triangle> triangles);
 
 /// (u,v) as glTF has it, v running down from the image's top row; where a texture was baked, as it lies there
-/// (`transforms`: one an area, or none).
+/// (`transforms`: one a sheet of texture, or none).
 std::vector<glm::vec2> gltf_texcoords(const MeshView& mesh, std::span<const texmap::UvTransform> transforms);
 
 /// A file name as a URI: every byte but letters, digits and -._~ becomes %XX.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "make_mesh.hpp"
 
+#include "mesh_shape.hpp"
 #include "sweepkit/sweep/sweep.hpp"
 
 namespace sweepkit::scene {
@@ -27,18 +28,21 @@ sweep::RevolveOptions revolve_options(const Piece& piece, const RevolveShape& sh
           .caps = shape.caps};
 }
 
-sweep::Mesh make_mesh(const Piece& piece, bool has_half_edges) {
+sweep::Mesh make_mesh(const Piece& piece, const MeshNeeds& needs, Cost& layout_cost) {
   if (const auto* shape = std::get_if<SweepShape>(&piece.shape)) {
     sweep::SweepOptions options = sweep_options(piece, *shape);
-    options.has_half_edges = has_half_edges;
+    options.has_half_edges = needs.half_edges;
     return sweep::sweep(shape->contour, shape->trajectory, options);
   }
   if (const auto* shape = std::get_if<RevolveShape>(&piece.shape)) {
     sweep::RevolveOptions options = revolve_options(piece, *shape);
-    options.has_half_edges = has_half_edges;
+    options.has_half_edges = needs.half_edges;
     return sweep::revolve(shape->contour, options);
   }
-  return sweep::plane(std::get<PlaneShape>(piece.shape).size, {piece.tessellation, piece.uv, has_half_edges});
+  if (const auto* shape = std::get_if<PlaneShape>(&piece.shape)) {
+    return sweep::plane(shape->size, {piece.tessellation, piece.uv, needs.half_edges});
+  }
+  return make_mesh_shape(piece, std::get<MeshShape>(piece.shape), needs, layout_cost);
 }
 
 }  // namespace sweepkit::scene

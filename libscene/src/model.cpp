@@ -27,17 +27,18 @@ auto at_place(const Place& place, Make&& make) {
 }
 
 // Made where it will stay: OpenMesh has no move, so every other way would copy it.
-std::unique_ptr<const sweep::Mesh> make_object(const ObjectEntry& object, bool has_half_edges) {
+std::unique_ptr<const sweep::Mesh> make_object(const ObjectEntry& object, const MeshNeeds& needs,
+                                               Cost& layout_cost) {
   const Piece& first = object.pieces.front();
   if (object.pieces.size() == 1 && to_matrix(first.placement) == glm::dmat4(1.0)) {
     return at_place(first.place, [&] {
-      return std::unique_ptr<const sweep::Mesh>(new sweep::Mesh(make_mesh(first, has_half_edges)));
+      return std::unique_ptr<const sweep::Mesh>(new sweep::Mesh(make_mesh(first, needs, layout_cost)));
     });
   }
   auto whole = std::make_unique<sweep::Mesh>();
   for (const Piece& piece : object.pieces) {
     at_place(piece.place, [&] {
-      sweep::append(*whole, make_mesh(piece, has_half_edges), to_matrix(piece.placement));
+      sweep::append(*whole, make_mesh(piece, needs, layout_cost), to_matrix(piece.placement));
       return true;
     });
   }
@@ -120,7 +121,7 @@ std::optional<double> deviation_of(const Model& model, const Object& object) {
 
 Model build(const Document& document, const Plan& plan, ImageStore* images) {
   Model model;
-  const bool has_half_edges = plan.needs_part(Part::kHalfEdges);
+  const MeshNeeds needs{plan.needs_part(Part::kHalfEdges), plan.needs_part(Part::kLayouts)};
   Scene& scene = model.scene;
   scene.width = document.width;
   scene.height = document.height;
@@ -131,12 +132,12 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
   scene.lights = document.lights;
 
   for (const ObjectEntry& entry : document.objects) {
-    model.meshes.push_back(make_object(entry, has_half_edges));
+    model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts]));
     const sweep::Mesh& mesh = *model.meshes.back();
     scene.objects.push_back({entry.name, scene.meshes.size(), entry.material, to_matrix(entry.placement)});
     scene.meshes.push_back({mesh.positions(), mesh.normals(), mesh.texcoords(), mesh.triangles, mesh.patches,
                             mesh.areas, mesh.origin});
-    if (has_half_edges) {
+    if (needs.half_edges) {
       model.ledger[Part::kHalfEdges].bytes += mesh.half_edge_bytes();
       model.ledger[Part::kHalfEdges].calls += 1;
     }

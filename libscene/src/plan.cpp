@@ -18,12 +18,15 @@ struct Usage {
   bool has_procedural = false;
   bool reads_uv = false;
   bool reflects = false;
+  bool has_mesh_file = false;
 };
 
 Usage usage_of(const Document& document) {
   Usage usage;
   usage.textures.assign(document.textures.size(), false);
   for (const ObjectEntry& object : document.objects) {
+    for (const Piece& piece : object.pieces)
+      usage.has_mesh_file |= std::holds_alternative<MeshShape>(piece.shape);
     if (!object.material) continue;
     const Material& material = document.materials[*object.material];
     usage.reflects |= material.reflect > 0;
@@ -46,9 +49,9 @@ Usage usage_of(const Document& document) {
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",    "textures",       "baked textures",    "integral tables", "texture tiles",
-      "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers",     "intersection trees",
-      "shadow rays",   "supersampling",  "grid over objects"};
+      "half-edges",         "(u,v) layouts", "textures",       "baked textures",    "integral tables",
+      "texture tiles",      "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers",
+      "intersection trees", "shadow rays",   "supersampling",  "grid over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -72,6 +75,11 @@ Plan plan(const Document& document, const Request& request) {
 
   row(Part::kHalfEdges, request.has_half_edges,
       request.has_half_edges ? "someone walks them" : "nobody walks them");
+  const bool shows_uv = !is_picture || usage.reads_uv;
+  row(Part::kLayouts, usage.has_mesh_file && shows_uv,
+      !usage.has_mesh_file ? "no object is a mesh file"
+      : shows_uv           ? "mesh files without (u,v) are laid out over the texture"
+                           : "no texture reads (u,v)");
   row(Part::kTextures, usage.has_texture,
       usage.has_texture ? "materials in use have textures" : "no material in use has a texture");
   if (request.product == Request::Product::kMeshFile) {

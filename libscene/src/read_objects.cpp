@@ -8,6 +8,7 @@
 #include "message_text.hpp"
 #include "read_curve.hpp"
 #include "read_law.hpp"
+#include "sweepkit/scene/mesh_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -183,10 +184,38 @@ PlaneShape read_plane(const Node& node) {
   return plane;
 }
 
+// What divides and unrolls a surface of curves means nothing to triangles that are there already.
+void refuse_manner_of_curves(ObjectReader& reader) {
+  if (const auto node = reader.find("tessellation")) {
+    node->fail("divides surfaces of curves; a mesh file has its triangles already; leave it out");
+  }
+  if (const auto node = reader.find("uv")) {
+    ObjectReader uv(*node);
+    for (const char* key : {"by", "size"}) {
+      if (const auto found = uv.find(key)) {
+        found->fail(
+            "is for (u,v) that run along curves; a mesh has its own, or is laid out over the texture; "
+            "leave it out");
+      }
+    }
+  }
+}
+
+MeshShape read_mesh(const Node& node, const std::filesystem::path& folder) {
+  ObjectReader reader(node);
+  const Node file = reader.get("file");
+  reader.finish();
+  if (file.text().empty()) file.fail("needs a file name");
+  if (!is_mesh_name(file.text())) {
+    file.fail("needs a file that ends in .obj, .ply, .stl or .off, got " + in_quotes(file.text()));
+  }
+  return {folder / file.text()};
+}
+
 // The shape keys; an object may have "parts" instead of one of them.
 std::optional<Piece> read_shape(ObjectReader& reader, const std::filesystem::path& folder) {
   std::optional<Piece> piece;
-  for (const char* kind : {"sweep", "revolve", "plane"}) {
+  for (const char* kind : {"sweep", "revolve", "plane", "mesh"}) {
     const std::optional<Node> node = reader.find(kind);
     if (!node) continue;
     if (piece) node->fail("an object has one shape; put several under \"parts\"");
@@ -197,8 +226,11 @@ std::optional<Piece> read_shape(ObjectReader& reader, const std::filesystem::pat
       piece->shape = read_sweep(*node, folder);
     } else if (name == "revolve") {
       piece->shape = read_revolve(*node, folder);
-    } else {
+    } else if (name == "plane") {
       piece->shape = read_plane(*node);
+    } else {
+      piece->shape = read_mesh(*node, folder);
+      refuse_manner_of_curves(reader);
     }
   }
   return piece;
@@ -220,7 +252,7 @@ Piece read_part(const Node& node, Manner manner, const std::filesystem::path& fo
   read_manner(reader, manner);
   std::optional<Piece> piece = read_shape(reader, folder);
   reader.finish();
-  if (!piece) node.fail("needs one of \"sweep\", \"revolve\" or \"plane\"");
+  if (!piece) node.fail("needs one of \"sweep\", \"revolve\", \"plane\" or \"mesh\"");
   set_manner(*piece, manner);
   piece->placement = placement;
   return *piece;
@@ -252,7 +284,7 @@ ObjectEntry read_one(const Node& node, const std::vector<Material>& materials,
   const std::optional<Node> parts = reader.find("parts");
   reader.finish();
   if (piece && parts) parts->fail("an object has one shape or \"parts\", not both");
-  if (!piece && !parts) node.fail("needs one of \"sweep\", \"revolve\", \"plane\" or \"parts\"");
+  if (!piece && !parts) node.fail("needs one of \"sweep\", \"revolve\", \"plane\", \"mesh\" or \"parts\"");
   if (piece) {
     set_manner(*piece, manner);
     object.pieces.push_back(std::move(*piece));

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "directed_edges.hpp"
 #include "first_touch.hpp"
 
 namespace sweepkit::sweep {
@@ -138,60 +139,30 @@ void write_patch(Writer& writer, const GridPatch& patch, std::uint32_t first_edg
   writer.boundary(loop);
 }
 
-// The edges of triangles that form discs (caps), found by sorting.
-struct DirectedEdge {
-  std::uint32_t low, high;
-  std::uint32_t triangle;
-  std::uint32_t corner;  // the edge runs from this corner to the next
-};
-
-std::vector<DirectedEdge> sorted_edges(const Mesh& mesh, std::uint32_t first, std::uint32_t end) {
-  std::vector<DirectedEdge> edges;
-  for (std::uint32_t t = first; t < end; ++t) {
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      const std::uint32_t from = mesh.triangles[t][c];
-      const std::uint32_t to = mesh.triangles[t][(c + 1) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), t, c});
-    }
-  }
-  std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return edges;
-}
-
-bool is_same_edge(const DirectedEdge& a, const DirectedEdge& b) {
-  return a.low == b.low && a.high == b.high;
-}
-
 // Two triangles share an edge; what a third one has there, in a cap whose outlines cross, is one of its own.
-std::uint32_t count_edges(const std::vector<DirectedEdge>& edges) {
+std::uint32_t count_edges(std::span<const DirectedEdge> edges) {
   std::uint32_t count = 0;
-  for (std::size_t i = 0; i < edges.size(); ++count) {
-    i += i + 1 < edges.size() && is_same_edge(edges[i], edges[i + 1]) ? 2 : 1;
-  }
+  for_each_edge(edges, [&](const DirectedEdge&, const DirectedEdge*) { ++count; });
   return count;
 }
 
-void write_disc(Writer& writer, const Mesh& mesh, const std::vector<DirectedEdge>& edges,
+void write_disc(Writer& writer, const Mesh& mesh, std::span<const DirectedEdge> edges,
                 std::uint32_t first_triangle, std::uint32_t first_edge) {
   std::vector<std::array<std::uint32_t, 3>> halves(edges.size() / 3);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> open;  // (from vertex, half-edge) of the boundary
   std::uint32_t edge = first_edge;
-  for (std::size_t i = 0; i < edges.size();) {
-    const DirectedEdge& one = edges[i];
-    const bool has_twin = i + 1 < edges.size() && is_same_edge(one, edges[i + 1]);
+  for_each_edge(edges, [&](const DirectedEdge& one, const DirectedEdge* twin) {
     writer.edge(edge, one.low, one.high);
-    for (std::size_t k = i; k <= i + (has_twin ? 1 : 0); ++k) {
-      const std::uint32_t from = mesh.triangles[edges[k].triangle][edges[k].corner];
-      const std::uint32_t half_edge = 2 * edge + (from == one.low ? 0u : 1u);
-      halves[edges[k].triangle - first_triangle][edges[k].corner] = half_edge;
+    for (const DirectedEdge* side : {&one, twin}) {
+      if (side == nullptr) continue;
+      const std::uint32_t from = side->is_upward ? side->low : side->high;
+      const std::uint32_t half_edge = 2 * edge + (side->is_upward ? 0u : 1u);
+      halves[side->triangle - first_triangle][side->corner] = half_edge;
       writer.outgoing(from, half_edge);
-      if (!has_twin) open.push_back({from == one.low ? one.high : one.low, half_edge ^ 1u});
+      if (twin == nullptr) open.push_back({from == one.low ? one.high : one.low, half_edge ^ 1u});
     }
-    i += has_twin ? 2 : 1;
     ++edge;
-  }
+  });
   for (std::uint32_t t = 0; t < halves.size(); ++t)
     writer.face(first_triangle + t, halves[t][0], halves[t][1], halves[t][2]);
 
@@ -233,7 +204,8 @@ void write_half_edges(Mesh& mesh) {
                                      [&](const GridPatch& patch) { return patch.area == index; });
     const Area& area = mesh.areas[index];
     if (is_wall || area.triangle_count == 0) continue;
-    discs.push_back(sorted_edges(mesh, area.first_triangle, area.first_triangle + area.triangle_count));
+    discs.push_back(
+        sorted_edges(mesh.triangles, area.first_triangle, area.first_triangle + area.triangle_count));
     disc_triangles.push_back(area.first_triangle);
     first_edges.push_back(edge_count);
     edge_count += count_edges(discs.back());

@@ -7,8 +7,9 @@
 namespace sweepkit::sweep {
 
 /// Writes OpenMesh's faces, edges and half-edges for the whole triangle list. Grid patches are written by
-/// closed-form indices, without a search; the triangles of caps by matching their edges. No patch or cap
-/// shares a vertex with another. Precondition: the mesh has no faces yet.
+/// closed-form indices, without a search; the triangles of caps, and of surfaces that are no grid, by
+/// matching their edges, area by area. No patch or area without one shares a vertex with another.
+/// Precondition: the mesh has no faces yet.
 void write_half_edges(Mesh& mesh);
 
 }  // namespace sweepkit::sweep

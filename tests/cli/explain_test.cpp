@@ -49,9 +49,9 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
   const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "ball.png", "--explain", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const auto parts = parts_of(run.out);
-  for (const char* name : {"half-edges", "textures", "baked textures", "integral tables", "texture tiles",
-                           "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers",
-                           "intersection trees", "supersampling", "grid over objects"}) {
+  for (const char* name : {"half-edges", "(u,v) layouts", "textures", "baked textures", "integral tables",
+                           "texture tiles", "(u,v) at hits", "filtered nodes", "ray differentials",
+                           "row buffers", "intersection trees", "supersampling", "grid over objects"}) {
     expect_left_out(parts, name);
   }
   EXPECT_EQ(parts.at("shadow rays").needed, "true");

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// Scenes, SVG files and lists of points, spoiled at random: each is read or refused with an InputError of one
-// line, and soon. Every round draws from its own seed, so that one that fails can be had again alone:
+// Scenes, SVG files, lists of points and mesh files, spoiled at random: each is read or refused with an
+// InputError of one line, and soon. Every round draws from its own seed, so that one that fails can be had
+// again alone:
 //   SWEEPKIT_FUZZ_FIRST=<round> SWEEPKIT_FUZZ_ROUNDS=1 test_scene_fuzz
 // SWEEPKIT_FUZZ_SECONDS=<seconds> makes each test go on so long.
 
@@ -21,6 +22,7 @@
 #include "read_curve_file.hpp"
 #include "scene_text.hpp"
 #include "sweepkit/scene/check.hpp"
+#include "sweepkit/scene/mesh_file.hpp"
 #include "sweepkit/scene/model.hpp"
 
 namespace sweepkit::scene {
@@ -87,6 +89,27 @@ const std::vector<std::string> kPoints = {
     "x,y,z\n0,0,0\n1,0,0.5\n1,1,1\n0,1,1.5\n",
     "NACA 0006\n 1.0 0.00063\n 0.5 0.02647\n 0.0 0.0\n 0.5 -0.02647\n 1.0 -0.00063\n",
     "# ring\n0;0\n4;0\n4;3\n0;0\n", "0 0\t1\r\n1e3 -2.5E-3 +4\r\n.5 5. 6\r\n"};
+
+const std::vector<std::string> kMeshes = {
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 3/3/1\nf -4/1/1 "
+    "-2/2/1 -1/3/1\n",
+    "# net\nv 0 0 0 1\nv 2 0 0\nv 1 2 0\nv 1 1 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+    "STCNOFF\n4 2 4\n0 0 0 0 0 1 1 0 0 0 0\n1 0 0 0 0 1 1 0 0 1 0\n1 1 0 0 0 1 1 0 0 1 1\n0 1 0 0 0 1 1 0 0 "
+    "0 1\n3 0 1 2\n3 0 2 3 1 0 0\n",
+    "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty double y\nproperty int "
+    "z\nproperty float s\n"
+    "property float t\nelement face 2\nproperty list uchar int vertex_indices\nproperty list uchar float "
+    "texcoord\nend_header\n"
+    "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n3 0 1 2 6 0 0 1 0 1 1\n4 0 1 2 3 0\n",
+    std::string("ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty char x\nproperty uchar "
+                "y\nproperty short z\n"
+                "element face 1\nproperty list uchar uchar "
+                "vertex_index\nend_header\n\0\0\0\0\1\0\0\0\0\1\0\0\3\0\1\2",
+                172),
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+    "0\nendloop\nendfacet\nendsolid s\n",
+    std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(14, '\0') +
+        std::string("\x80?\0\0\0\0\0\0", 8) + std::string(28, '?')};
 
 const std::vector<std::string> kTame = {"0", "1", "2", "3.5", "0.25", "-1", "7", "1e1", "45", "-0.5"};
 const std::vector<std::string> kNumbers = {"0",
@@ -317,6 +340,36 @@ TEST_F(Fuzz, ObjectsAreMadeOrRefused) {
           check(document, model, Thoroughness::kQuick);
         },
         refused);
+  });
+}
+
+// By every reader: the name decides, not what is inside. What is read becomes an object.
+TEST_F(Fuzz, MeshFilesAreReadOrRefused) {
+  run(kMeshes, 4, [&](const std::string& text, int& refused) {
+    for (const char* name : {"spoiled.obj", "spoiled.ply", "spoiled.stl", "spoiled.off"}) {
+      read_or_refuse([&] { parse_mesh_file(text, name); }, refused);
+    }
+    // One of the four at most is the format that the text was.
+    refused -= 3;
+    const char* kind = text.starts_with("ply") ? ".ply" : text.find("OFF") < 8 ? ".off" : ".obj";
+    folder.write(std::string("spoiled") + kind, text);
+    const std::string scene =
+        scene_text("", R"({"name": "a", "mesh": {"file": "spoiled)" + std::string(kind) + R"("}})");
+    int again = 0;
+    read_or_refuse(
+        [&] {
+          const Document document = parse_document(scene, folder.path() / "s.json");
+          const Model model = build(
+              document, plan(document, {.product = Request::Product::kMeshFile, .has_half_edges = true}));
+          for (const glm::vec3& p : model.meshes[0]->positions())
+            ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+          for (const glm::vec2& uv : model.meshes[0]->texcoords())
+            ASSERT_TRUE(std::isfinite(uv.x) && std::isfinite(uv.y));
+          for (const glm::vec3& n : model.meshes[0]->normals())
+            ASSERT_NEAR(glm::length(glm::dvec3(n)), 1, 1e-6);
+          check(document, model, Thoroughness::kQuick);
+        },
+        again);
   });
 }
 

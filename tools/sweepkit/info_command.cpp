@@ -8,9 +8,13 @@
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "scene_input.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/gltf_info.hpp"
+#include "sweepkit/scene/mesh_file.hpp"
 #include "sweepkit/scene/model.hpp"
+#include "sweepkit/scene/output_file.hpp"
+#include "uv_report.hpp"
 
 namespace sweepkit::tools {
 namespace {
@@ -18,6 +22,11 @@ namespace {
 struct Info {
   std::string file;
   Output output;
+  bool has_uv = false;
+  std::string object;  ///< this one alone; empty: all
+  std::string heat_map;
+  std::string size;
+  std::string measure = "aspect";
 };
 
 Value or_nothing(const std::string& text) {
@@ -56,11 +65,16 @@ Record texture_row(const scene::TextureEntry& texture) {
           {"file", file.lexically_normal().string()}};
 }
 
-Report scene_report(const std::string& file) {
-  scene::Document document = scene::read_document(file);
+// Counting needs no pixels.
+scene::Model build_shapes(const scene::Document& document) {
   scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kMeshFile});
-  std::fill(plan.textures.begin(), plan.textures.end(), false);  // counting needs no pixels
-  const scene::Model model = scene::build(document, plan);
+  std::fill(plan.textures.begin(), plan.textures.end(), false);
+  return scene::build(document, plan);
+}
+
+Report scene_report(const std::string& file) {
+  const scene::Document document = scene::read_document(file);
+  const scene::Model model = build_shapes(document);
 
   Table objects{"objects", {}};
   Record total = {{"object", std::string("(all)")},
@@ -96,6 +110,63 @@ Report scene_report(const std::string& file) {
            {"triangles", total[1].second},
            {"vertices", total[2].second}},
           {objects, materials, textures}};
+}
+
+Report mesh_report(const std::string& file) {
+  const scene::MeshFile mesh = scene::read_mesh_file(file);
+  Table bounds{"bounds", {}};
+  glm::dvec3 low = mesh.positions.front();
+  glm::dvec3 high = low;
+  for (const glm::dvec3& p : mesh.positions) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  for (glm::length_t k = 0; k < 3; ++k) {
+    bounds.rows.push_back(
+        {{"axis", std::string(1, "xyz"[k])}, {"from", low[k]}, {"to", high[k]}, {"size", high[k] - low[k]}});
+  }
+  return {{{"file", file},
+           {"kind", "mesh, " + mesh.format},
+           {"bytes", std::uint64_t{mesh.bytes}},
+           {"places", std::uint64_t{mesh.positions.size()}},
+           {"polygons", std::uint64_t{mesh.polygons}},
+           {"triangles", std::uint64_t{mesh.triangles.size()}},
+           {"left out", std::uint64_t{mesh.degenerate}},
+           {"uv", !mesh.texcoords.empty()},
+           {"normals", !mesh.normals.empty()}},
+          {bounds}};
+}
+
+// A mesh file as the only object of a scene, named for it.
+scene::Document mesh_document(const std::filesystem::path& file) {
+  scene::ObjectEntry object;
+  object.name = file.stem().string();
+  object.pieces.push_back({.shape = scene::MeshShape{file}});
+  scene::Document document;
+  document.objects.push_back(std::move(object));
+  return document;
+}
+
+Report uv_report(const Info& command, const std::string& extension) {
+  HeatMapRequest heat_map{
+      .file = command.heat_map,
+      .measure = command.measure == "aspect" ? HeatMeasure::kAspectRatio : HeatMeasure::kHomogeneity};
+  if (!command.size.empty()) heat_map.size = parse_size(command.size);
+  if (!heat_map.file.empty()) {
+    texmap::image_format(heat_map.file);
+    scene::check_output(heat_map.file);
+  }
+  scene::Document document =
+      extension == ".json" ? scene::read_document(command.file) : mesh_document(command.file);
+  if (!command.object.empty()) keep_object(document, command.object);
+  if (!heat_map.file.empty() && document.objects.size() > 1) {
+    throw InputError({.file = "--heat-map"}, "is of one object, and the scene has " +
+                                                 std::to_string(document.objects.size()) +
+                                                 "; say which with --object");
+  }
+  const scene::Model model = build_shapes(document);
+  if (!heat_map.file.empty()) write_heat_map(model.scene, heat_map, command.output);
+  return {{{"file", command.file}}, {uv_table(model.scene)}};
 }
 
 Report gltf_report(const std::string& file) {
@@ -140,7 +211,16 @@ Report image_report(const std::string& file) {
 
 void inform(const Info& command) {
   const std::string extension = std::filesystem::path(command.file).extension();
-  if (extension == ".json") {
+  const bool is_mesh = scene::is_mesh_name(command.file);
+  if (command.has_uv) {
+    if (extension != ".json" && !is_mesh) {
+      throw InputError({.file = command.file},
+                       "--uv tells of a scene (.json) or a mesh (.obj, .ply, .stl, .off)");
+    }
+    print(uv_report(command, extension), command.output);
+  } else if (is_mesh) {
+    print(mesh_report(command.file), command.output);
+  } else if (extension == ".json") {
     print(scene_report(command.file), command.output);
   } else if (extension == ".glb" || extension == ".gltf") {
     print(gltf_report(command.file), command.output);
@@ -153,12 +233,44 @@ void inform(const Info& command) {
 
 void add_info(CLI::App& app) {
   const auto command = std::make_shared<Info>();
-  CLI::App& sub = *app.add_subcommand("info", "Tell what is in a scene, glTF or image file");
-  sub.add_option("FILE", command->file, "Scene (.json), glTF (.glb, .gltf) or image file")
+  CLI::App& sub = *app.add_subcommand("info", "Tell what is in a scene, mesh, glTF or image file");
+  sub.add_option("FILE", command->file,
+                 "Scene (.json), mesh (.obj, .ply, .stl, .off), glTF (.glb, .gltf) or image file")
       ->required()
       ->type_name("");
   sub.add_flag("--json", command->output.is_json, "As JSON");
-  sub.footer("Example:\n  sweepkit info samples/scenes/vase_and_cup.json");
+  CLI::Option* uv = sub.add_flag("--uv", command->has_uv,
+                                 "Of a scene or mesh: how the texture lies on each object, as told below");
+  sub.add_option("--object", command->object, "With --uv: this object alone")->type_name("NAME")->needs(uv);
+  CLI::Option* heat_map =
+      sub.add_option("--heat-map", command->heat_map,
+                     "With --uv: draw where one object's texture is distorted, as a texture for it; ends in "
+                     ".png, .jpg, .tif or .exr")
+          ->type_name("FILE")
+          ->needs(uv);
+  sub.add_option("--measure", command->measure,
+                 "What the heat map shows: the aspect ratio, or the resolution against its mean")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"aspect", "homogeneity"}))
+      ->needs(heat_map);
+  sub.add_option("--size", command->size, "Texels of the heat map; 1024x1024 without it")
+      ->type_name("WxH")
+      ->needs(heat_map);
+  add_quiet(sub, command->output);
+  sub.footer(
+      "The table of --uv, all of it in the world; ratios are 1 at best, a share is from 0 to 1:\n"
+      "  homogeneity u, v  the largest arc on the surface over the smallest for a step along that axis\n"
+      "                    of the texture; 95%: between the shares 0.025 and 0.975 of the area\n"
+      "  aspect            the larger over the smaller arc of two perpendicular steps: mean, median and\n"
+      "                    95% by area, and the worst triangle's\n"
+      "  density 95%       texels a square metre where they are many over where they are few\n"
+      "  continuous        share of the inner edges with the same (u,v) on both sides\n"
+      "  overlap           share of the covered texture that more than one triangle covers\n"
+      "  degenerate        triangles without area in (u,v), in none of the ratios\n"
+      "  mirrored          triangles on which the texture is mirrored\n\n"
+      "Examples:\n  sweepkit info samples/scenes/vase_and_cup.json\n"
+      "  sweepkit info samples/meshes/knot.obj\n"
+      "  sweepkit info samples/scenes/vase_and_cup.json --uv --object vase --heat-map vase.png");
   sub.callback([command] { inform(*command); });
 }
 

@@ -7,7 +7,8 @@
 
 namespace sweepkit::scene {
 
-/// texmap::bake() over a mesh, each area with its end and where it comes round. Throws as that does.
+/// texmap::bake() over a mesh, each sheet of texture with its end and where it comes round. Throws as that
+/// does.
 texmap::BakedTexture bake_over(const MeshView& mesh, const texmap::Texture& texture,
                                const texmap::BakeOptions& options);
 

@@ -24,7 +24,8 @@ enum class Thoroughness {
 };
 
 /// What sweep::check_sweep(), check_revolve() and find_crossings() find of every shape of a built scene, in
-/// the objects' order. A crossing where the surface folds anyway is left out. Shapes of one object may go
+/// the objects' order; of mesh files crossings alone, without t, and none by a quick look at a large one. A
+/// crossing where the surface folds anyway is left out. Shapes of one object may go
 /// through each other. Throws InputError with the shape's place.
 std::vector<SceneFinding> check(const Document& document, const Model& model,
                                 Thoroughness thoroughness = Thoroughness::kWhole);

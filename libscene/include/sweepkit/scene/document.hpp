@@ -56,12 +56,17 @@ struct PlaneShape {
   glm::dvec2 size{1.0};  ///< x, z
 };
 
+/// A mesh file's surface, metres, as it stands.
+struct MeshShape {
+  std::filesystem::path file;  ///< .obj .ply .stl .off, resolved against the scene file
+};
+
 /// One shape with what belongs to it. An object has one, or several under "parts".
 struct Piece {
-  std::variant<PlaneShape, SweepShape, RevolveShape> shape;
+  std::variant<PlaneShape, SweepShape, RevolveShape, MeshShape> shape;
   Placement placement;               ///< object from piece
   sweep::Tessellation tessellation;  ///< counts that the file leaves out are 64, for a plane 1
-  sweep::UvOptions uv;
+  sweep::UvOptions uv;               ///< of a mesh file `repeat` alone
   double crease_deg = 30;
   Place place;  ///< for messages about the geometry
 };

@@ -18,6 +18,7 @@ namespace sweepkit::scene {
 /// plan().
 enum class Part {
   kHalfEdges,      ///< OpenMesh's connectivity
+  kLayouts,        ///< (u,v) laid out over the texture for mesh files that have none
   kTextures,       ///< texture images read, procedural textures set up
   kBakes,          ///< procedural textures turned into images for a file
   kTables,         ///< tables of integrals over textures that the filter reads
@@ -31,7 +32,7 @@ enum class Part {
   kSupersampling,  ///< the larger picture that is shrunk
   kGlobalGrid,     ///< the grid over the objects' boxes
 };
-inline constexpr std::size_t kPartCount = 13;
+inline constexpr std::size_t kPartCount = static_cast<std::size_t>(Part::kGlobalGrid) + 1;
 
 std::string_view part_name(Part part);  ///< "half-edges", "integral tables", ...
 

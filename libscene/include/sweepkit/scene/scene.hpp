@@ -29,6 +29,9 @@ struct MeshView {
   glm::dvec3 origin{0.0};
 };
 
+/// One past the last triangle of each sheet of texture: areas that continue the one before belong to it.
+std::vector<std::uint32_t> sheet_ends(const MeshView& mesh);
+
 struct Object {
   std::string name;
   std::size_t mesh = 0;

@@ -50,6 +50,8 @@ struct Area {
   std::uint32_t triangle_count = 0;
   double u_period = 0;  ///< u comes round after this much (closed contour, whole turn); 0 if it does not
   double v_period = 0;
+  /// Lies on the same sheet of texture as the area before it: the two do not overlap in (u,v).
+  bool continues_sheet = false;
 };
 
 }  // namespace sweepkit::sweep
