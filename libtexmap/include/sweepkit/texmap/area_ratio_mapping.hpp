@@ -16,12 +16,12 @@
 // which no triangle is edge-on to. Differences are taken about B1, so neither distance from the origin nor a
 // plane through it matters.
 //
-// The default map. For every triangle and hit its error is below 4 epsilon times the conditioning times the
-// leg, and the last rounding of (u,v); the conditioning of c is (sum of |products| in the hit's area + |c| *
-// sum of |products| in the whole area) / |whole area|, of a likewise (docs/algorithms/triangle-maps.md). A
-// triangle without area maps to B2. Preconditions: finite coordinates; for double, edges and heights between
-// 1e-100 and 1e140. float is computed in double, where products of its differences neither overflow nor
-// vanish.
+// The default map. For every triangle and hit its error is below 8 epsilon times the conditioning times
+// the leg (4 unless the area is lost in its rounding), and the last rounding of (u,v); the conditioning of
+// c is (sum of |products| in the hit's area + |c| * sum of |products| in the whole area) / |whole area|,
+// of a likewise (docs/algorithms/triangle-maps.md). A triangle without area maps to B2. Preconditions:
+// finite coordinates; for double, edges and heights between 1e-100 and 1e140. float is computed in double,
+// where products of its differences neither overflow nor vanish.
 
 namespace sweepkit::texmap {
 namespace area_ratio {
