@@ -382,6 +382,7 @@ int main(int argc, char** argv) {
                       each * seconds.max);
         csv += line;
         std::fputs(line, stdout);
+        std::fflush(stdout);
         if (!pictures.empty())
           write_picture(pictures / (column.name + " " + methods[m].name + ".png"), pixels, values[m]);
       }

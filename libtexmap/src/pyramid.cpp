@@ -38,7 +38,7 @@ Share share_of(int index, int from, int to) {
 }
 
 IntegerTexel to_texel(const double (&sum)[3], IntegerTexel /*form*/) {
-  const auto rounded = [](double value) { return static_cast<std::uint16_t>(value + 0.5); };
+  const auto rounded = [](double value) { return static_cast<std::uint16_t>(std::lround(value)); };
   return IntegerTexel{rounded(sum[0]), rounded(sum[1]), rounded(sum[2]), 65535};
 }
 FloatTexel to_texel(const double (&sum)[3], FloatTexel /*form*/) {
@@ -108,6 +108,8 @@ void Pyramid::make_of(const TileKey& key, Texel* texels) const {
   }
   std::vector<Share> across;
   std::vector<Share> down;
+  across.reserve(static_cast<std::size_t>(width));
+  down.reserve(static_cast<std::size_t>(height));
   for (int x = 0; x < width; ++x) across.push_back(share_of(x0 + x, finer.width, size.width));
   for (int y = 0; y < height; ++y) down.push_back(share_of(y0 + y, finer.height, size.height));
   const PixelRect rect{across.front().first, down.front().first,
