@@ -126,10 +126,12 @@ TEST(FractalNoise, FadesWithoutAJerk) {
     double before = turbulence(p, 1e-8, octaves).mean;
     // In steps of 2 % the fade of an octave changes by 1.02^2 - 1 at most, times its strength and value; the
     // strengths of all sum to 2, but only those that fade at that size, some three of them, change.
-    for (double extent = 1e-8; extent < 1e3; extent *= 1.02) {
+    double extent = 1e-8;
+    while (extent < 1e3) {
       const double here = turbulence(p, extent, octaves).mean;
       EXPECT_NEAR(here, before, 0.04);
       before = here;
+      extent *= 1.02;
     }
   }
 }
