@@ -186,6 +186,9 @@ Mesh sweep(std::span<const Curve2> contour, const Curve3& trajectory, const Swee
                     swept.closing_columns[i]};
     add_wall(mesh, wall, swept.spine, uv_of(i));
   }
+  if (mesh.triangles.empty()) {
+    throw InputError("profile is 0 all along, which leaves no surface; let it be above 0 somewhere");
+  }
   if (options.caps != Caps::kNone && contour.front().is_closed() && !trajectory.is_closed()) {
     add_cap(mesh, contour, swept, End::kFirst, options, uv_of(0));
     add_cap(mesh, contour, swept, End::kLast, options, uv_of(0));

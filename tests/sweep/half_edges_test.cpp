@@ -98,6 +98,18 @@ TEST(HalfEdges, EqualAddFaceWithCreasesCapsAndConcaveCaps) {
   expect_same_connectivity(sweep(circle_contour(0.2), circle_trajectory(1), {.tessellation = {9, 20}}));
 }
 
+TEST(HalfEdges, EqualAddFaceWithPolesOfSingleRunsOfColumns) {
+  const Law falling = Law::bezier({{0, 1}, {1, 0}});
+  const Law waist = Law::through({{0, 1}, {0.5, 0}, {1, 1}});
+  const Curve3 line = polyline<3>({{0, 0, 0}, {0, 0, 1}}, false);
+  for (const Law& law : {falling, waist}) {
+    expect_same_connectivity(
+        sweep(rectangle_contour(0.25, 0.5), line, {.tessellation = {24, 4}, .profile = {law, 1}}));
+    expect_same_connectivity(
+        sweep(rectangle_contour(0.25, 0.5, 0.0625), line, {.tessellation = {24, 1}, .profile = {1, law}}));
+  }
+}
+
 TEST(HalfEdges, AreLeftOutOnRequestAndCostNothing) {
   const Mesh mesh =
       sweep(circle_contour(0.2), circle_trajectory(1), {.tessellation = {9, 20}, .has_half_edges = false});

@@ -145,7 +145,9 @@ TEST(Profile, PressedFlatOnOneAxisMakesAnEdgeWithoutTrianglesOfNoArea) {
   EXPECT_EQ(flat.euler, 1);
 }
 
-TEST(Profile, RefusesSizesBelowNothingAndLoopsThatDoNotClose) {
+TEST(Profile, RefusesSizesBelowNothingOrOfNothingAndLoopsThatDoNotClose) {
+  EXPECT_THROW(sweep(circle_contour(1), straight(1), {.profile = {0, 0}}), InputError);
+  EXPECT_THROW(sweep(polyline<2>({{-1, 0}, {1, 0}}, false), straight(1), {.profile = {0, 1}}), InputError);
   EXPECT_THROW(sweep(circle_contour(1), straight(1), {.profile = {-1, 1}}), InputError);
   EXPECT_THROW(sweep(circle_contour(1), circle_trajectory(5),
                      {.profile = {Law::through({{0, 1}, {1, 2}}), Law::through({{0, 1}, {1, 2}})}}),

@@ -23,9 +23,10 @@ namespace sweepkit::sweep {
 /// have (u,v) of their own, the outline fitted into 0..1, y upwards.
 ///
 /// Throws InputError for cell counts out of range (1 to kMaxCells; a closed curve needs 3), a closed contour
-/// that lies on one line, a trajectory that turns right back at a corner, a profile below 0, or one that ends
-/// elsewhere than it began on a closed trajectory, crease_deg outside of 0 to 180, miter_limit below 1, a
-/// repeat that is not finite, more triangles than 32-bit half-edges can number (715 million).
+/// that lies on one line, a trajectory that turns right back at a corner, a profile below 0 or one that is 0
+/// all along, or one that ends elsewhere than it began on a closed trajectory, crease_deg outside of 0 to
+/// 180, miter_limit below 1, a repeat that is not finite, more triangles than 32-bit half-edges can number
+/// (715 million).
 Mesh sweep(const Curve2& contour, const Curve3& trajectory, const SweepOptions& options = {});
 
 /// The same for a contour of several outlines, all closed: one that lies inside of an odd number of others is
