@@ -127,7 +127,7 @@ TEST(Statistics, AreWrittenBesideThePicture) {
       workshop.sweepkit({"render", "ball.json", "-o", "p.png", "--size", "20x10", "--stats", "p.json"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(workshop.read("p.json").find("\"eye_rays\": 200,"), std::string::npos) << workshop.read("p.json");
-  EXPECT_EQ(parts_of(workshop.read("p.json")).size(), 11u);
+  EXPECT_EQ(parts_of(workshop.read("p.json")).size(), 13u);
 }
 
 TEST(Object, AloneNeedsNothingOfTheOthers) {
