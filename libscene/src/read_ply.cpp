@@ -227,7 +227,8 @@ class BodyReader {
                    to_text(count));
     if (!(count >= 0 && count <= 4294967295.0 && count == std::floor(count)))
       values_.fail("needs the length of a list, got " + to_text(count));
-    for (double k = 0; k < count; ++k) {
+    const auto length = static_cast<std::uint64_t>(count);
+    for (std::uint64_t k = 0; k < length; ++k) {
       const double value = values_.next(property.type);
       if (is_face) {
         if (!(value >= 0 && value < static_cast<double>(list_.positions.size()) &&

@@ -81,10 +81,10 @@ class Grid {
   // Writes the halves of a pair, in the letters of HalfCell.
   void write(std::vector<HalfCell>& halves) const {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const auto& [cell, turn] = place_of_[i];
+      const Place& place = place_of_[i];
       const auto half = [&](std::uint32_t diagonal, std::uint32_t corner) {
         const std::uint32_t opposite = (diagonal % 3 + 2) % 3;
-        halves[diagonal / 3] = {cell, static_cast<std::uint8_t>((corner + turn) % 4),
+        halves[diagonal / 3] = {place.cell, static_cast<std::uint8_t>((corner + place.turn) % 4),
                                 static_cast<std::uint8_t>(opposite), 0};
       };
       half(pairs_[i].first, 0);

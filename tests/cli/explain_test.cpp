@@ -65,14 +65,15 @@ TEST(Explain, OfAGenerateShowsThatNoPictureIsDrawn) {
   for (const auto& [name, part] : parts_of(run.out)) expect_left_out(parts_of(run.out), name);
 }
 
-TEST(Explain, OfASceneThatNeedsEverythingCountsEverythingButHalfEdgesBakesAndTables) {
+TEST(Explain, OfASceneThatNeedsEverythingCountsEverythingButHalfEdgesLayoutsBakesAndTables) {
   const Workshop workshop;
   const Outcome run =
       workshop.sweepkit({"render", SWEEPKIT_SAMPLES "/scenes/vase_and_cup.json", "-o", "p.png", "--explain",
                          "--json", "--size", "48x48", "--antialias", "3x3"});
   ASSERT_EQ(run.status, 0) << run.err;
   for (const auto& [name, part] : parts_of(run.out)) {
-    if (name == "half-edges" || name == "baked textures" || name == "integral tables") {
+    if (name == "half-edges" || name == "(u,v) layouts" || name == "baked textures" ||
+        name == "integral tables") {
       expect_left_out(parts_of(run.out), name);
     } else {
       EXPECT_EQ(part.needed, "true") << name;

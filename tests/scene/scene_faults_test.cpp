@@ -113,9 +113,9 @@ TEST(SceneFaults, KeysThatComeLaterAreNotTakenSilently) {
   }
   const std::string straight =
       "\"contour\": {\"circle\": {\"radius\": 1}}, \"trajectory\": {\"line\": [[0,0,0],[0,1,0]]}";
-  for (const std::string& line :
-       {std::string("\"plane\": {\"size\": [1, 1]}, \"instances\": []"),
-        std::string("\"mesh\": {\"file\": \"x\"}"), "\"sweep\": {" + straight + ", \"texture\": 1}"}) {
+  for (const std::string& line : {std::string("\"plane\": {\"size\": [1, 1]}, \"instances\": []"),
+                                  std::string("\"mesh\": {\"file\": \"x.obj\", \"lod\": 1}"),
+                                  "\"sweep\": {" + straight + ", \"texture\": 1}"}) {
     EXPECT_NE(fault_of(with_object(line)).find("unknown key"), std::string::npos) << line;
   }
 }
@@ -287,12 +287,12 @@ TEST(SceneFaults, Objects) {
   const std::string plane = "\"plane\": {\"size\": [1, 1]}";
   expect_messages({
       {with_object("\"scale\": 1"),
-       "s.json:2:30: /objects/0: needs one of \"sweep\", \"revolve\", \"plane\" or \"parts\""},
+       "s.json:2:30: /objects/0: needs one of \"sweep\", \"revolve\", \"plane\", \"mesh\" or \"parts\""},
       {with_object(plane + ", \"parts\": []"),
        at + "39: /objects/0/parts: an object has one shape or \"parts\", not both"},
       {with_object("\"parts\": []"), at + "12: /objects/0/parts: needs at least one part"},
       {with_object("\"parts\": [{}]"),
-       at + "13: /objects/0/parts/0: needs one of \"sweep\", \"revolve\" or \"plane\""},
+       at + "13: /objects/0/parts/0: needs one of \"sweep\", \"revolve\", \"plane\" or \"mesh\""},
       {with_object("\"revolve\": {\"contour\": {\"line\": [[1, 0], [1, 1]]}}, " + plane),
        at + "64: /objects/0/plane: an object has one shape; put several under \"parts\""},
       {with_object("\"plane\": {\"size\": [1, 0]}"),

@@ -137,8 +137,7 @@ TEST(TriangleSurface, KeepsPositionsNearTheirOrigin) {
   std::vector<glm::dvec3> positions = {{1e8, 0, 0}, {1e8 + 1e-3, 0, 0}, {1e8, 1e-3, 0}};
   const std::vector<Triangle> triangles = {{0, 1, 2}};
   const Mesh mesh = mesh_of({positions, triangles, {}, {}});
-  for (std::uint32_t i = 0; i < 3; ++i)
-    EXPECT_LT(glm::distance(test::position(mesh, i), positions[i]), 2e-8);
+  for (std::uint32_t i = 0; i < 3; ++i) EXPECT_LT(glm::distance(test::position(mesh, i), positions[i]), 2e-8);
   positions = {{0, 0, 0}, {1e-40, 0, 0}, {0, 1e-40, 0}};
   EXPECT_THROW(mesh_of({positions, triangles, {}, {}}), InputError);
 }
