@@ -155,10 +155,10 @@ std::array<double, 3> RepeatedIntegration::weigh(const SplineInterval& x, const 
 
 glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, FilterScratch& scratch) const {
   const Tables& made = tables();
-  const auto color_of = [&](const std::array<double, 3>& sum) {
+  const auto color_of = [&](const std::array<double, 3>& sum, double weights) {
     glm::dvec3 color;
     for (std::size_t k = 0; k < 3; ++k)
-      color[static_cast<glm::length_t>(k)] = made.fixed_point.light(sum[k], k);
+      color[static_cast<glm::length_t>(k)] = made.fixed_point.light(sum[k] / weights, k);
     return glm::vec3(color);
   };
   // Written so that NaN, too, takes the mean of all.
@@ -170,17 +170,15 @@ glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, Filter
   std::array<double, 3> words{};
   if (!is_usable(x) || !is_usable(y)) {
     const auto& total = made.levels.front()->carries().total();
-    for (std::size_t k = 0; k < 3; ++k) {
-      words[k] = static_cast<double>(static_cast<std::int64_t>(total[k])) /
-                 (static_cast<double>(finest.width) * finest.height);
-    }
-    return color_of(words);
+    for (std::size_t k = 0; k < 3; ++k) words[k] = static_cast<double>(static_cast<std::int64_t>(total[k]));
+    return color_of(words, static_cast<double>(finest.width) * finest.height);
   }
   x = widened(x, order_);
   y = widened(y, order_);
   if (std::ceil(order_ * x.width + 1) * std::ceil(order_ * y.width + 1) <= kFewTexels) {
-    return color_of(pyramid_.is_float() ? weigh<FloatTexel>(x, y, scratch)
-                                        : weigh<IntegerTexel>(x, y, scratch));
+    return color_of(
+        pyramid_.is_float() ? weigh<FloatTexel>(x, y, scratch) : weigh<IntegerTexel>(x, y, scratch),
+        spline_total(order_, x.width) * spline_total(order_, y.width));
   }
   const int index = level_for(x, y, made.longest);
   const Pyramid::Level& size = pyramid_.level(index);
@@ -188,10 +186,10 @@ glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, Filter
     const double scale = static_cast<double>(texels) / finest_texels;
     return SplineInterval{scale * interval.left, scale * interval.width};
   };
-  cut_into_pieces(scaled(x, size.width, finest.width), order_, size.width, wrap_, made.longest,
-                  scratch.across);
-  cut_into_pieces(scaled(y, size.height, finest.height), order_, size.height, wrap_, made.longest,
-                  scratch.down);
+  x = scaled(x, size.width, finest.width);
+  y = scaled(y, size.height, finest.height);
+  cut_into_pieces(x, order_, size.width, wrap_, made.longest, scratch.across);
+  cut_into_pieces(y, order_, size.height, wrap_, made.longest, scratch.down);
   const IntegralTable& table = *made.levels[static_cast<std::size_t>(index)];
   table.carries();
   for (const AxisPiece& down : scratch.down) {
@@ -199,7 +197,7 @@ glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, Filter
       add_block(table, order_, across, down, scratch.tables, words);
     }
   }
-  return color_of(words);
+  return color_of(words, spline_total(order_, x.width) * spline_total(order_, y.width));
 }
 
 std::size_t RepeatedIntegration::bytes() const {
