@@ -103,20 +103,25 @@ class Block {
     }
     for (std::size_t r = order; r < rows(); ++r) {
       const auto& row = sums_[r];
+      const Words& last = row[order - 1];
+      const Words& before = row[std::max(order - 2, 0)];
+      Words slope;
+      Words bend;
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint64_t last = row[order - 1][k];
-        const std::uint64_t before = row[std::max(order - 2, 0)][k];
-        const std::uint64_t slope = last - before;
-        const std::uint64_t bend = slope - before + row[0][k];
-        double weighed = 0;
-        for (std::size_t c = order; c < columns(); ++c) {
-          std::uint64_t sum = row[c][k] - last;
-          if constexpr (order >= 2) sum -= d[c] * slope;
-          if constexpr (order == 3) sum -= dd[c] * bend;
-          weighed += across_.weight[c] * static_cast<double>(static_cast<std::int64_t>(sum));
-        }
-        total[k] += down_.weight[r] * weighed;
+        slope[k] = last[k] - before[k];
+        bend[k] = slope[k] - before[k] + row[0][k];
       }
+      // Three sums side by side: one would wait for each addition.
+      std::array<double, 3> weighed{};
+      for (std::size_t c = order; c < columns(); ++c) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          std::uint64_t sum = row[c][k] - last[k];
+          if constexpr (order >= 2) sum -= d[c] * slope[k];
+          if constexpr (order == 3) sum -= dd[c] * bend[k];
+          weighed[k] += across_.weight[c] * static_cast<double>(static_cast<std::int64_t>(sum));
+        }
+      }
+      for (std::size_t k = 0; k < 3; ++k) total[k] += down_.weight[r] * weighed[k];
     }
   }
 
