@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "pyramid.hpp"
@@ -31,7 +32,7 @@ struct FixedPoint {
   std::uint64_t word(FloatTexel texel, std::size_t channel) const {
     // Means of coarser levels are rounded to float and may leave the range by that.
     const double value = (static_cast<double>(texel[channel]) - zero[channel]) * scale[channel];
-    return value > 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(value + 0.5)) : 0;
+    return value > 0 ? static_cast<std::uint64_t>(std::llrint(value)) : 0;
   }
 };
 
