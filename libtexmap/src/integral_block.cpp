@@ -43,8 +43,8 @@ class Block {
         const std::uint64_t* from =
             table.tile(reader, x.tile, y.tile) + 3 * (y.offset * kTileSide + x.offset);
         for (int r = 0; r < y.count; ++r, from += 3 * kTileSide) {
-          std::uint64_t* to =
-              sums_[static_cast<std::size_t>(y.first + r)][static_cast<std::size_t>(x.first)].data();
+          const std::size_t row = static_cast<std::size_t>(y.first) + static_cast<std::size_t>(r);
+          std::uint64_t* to = sums_[row][static_cast<std::size_t>(x.first)].data();
           if (x.count == order + 1) {  // a knot by itself: a copy of known size
             std::copy_n(from, 3 * (order + 1), to);
           } else {

@@ -89,9 +89,8 @@ void TileCache::drop_to_bound() {
   while (counts_.bytes > bound_ - held_ && steps-- > 0 && !clock_.empty()) {
     if (hand_ >= clock_.size()) hand_ = 0;
     Tile* tile = clock_[hand_];
-    if (tile->pins_.load(std::memory_order_acquire) > 0) {
-      ++hand_;
-    } else if (tile->lives_.fetch_sub(1, std::memory_order_relaxed) > 0) {
+    if (tile->pins_.load(std::memory_order_acquire) > 0 ||
+        tile->lives_.fetch_sub(1, std::memory_order_relaxed) > 0) {
       ++hand_;
     } else {
       counts_.bytes -= tile->bytes_;
