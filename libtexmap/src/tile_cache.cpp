@@ -22,9 +22,11 @@ std::size_t TileMemory::slot_bytes(std::size_t bytes) {
 std::byte* TileMemory::take(std::size_t slot) {
   std::vector<std::byte*>& free = free_[slot];
   if (free.empty()) {
-    std::vector<Line>& block = blocks_.emplace_back(kBlock / sizeof(Line));
+    const std::size_t slots = kBlock / slot;
+    // No more than they take: what is left over would not be counted.
+    std::vector<Line>& block = blocks_.emplace_back(slots * slot / sizeof(Line));
     auto* first = reinterpret_cast<std::byte*>(block.data());
-    for (std::size_t at = kBlock / slot; at-- > 0;) free.push_back(first + at * slot);
+    for (std::size_t at = slots; at-- > 0;) free.push_back(first + at * slot);
   }
   std::byte* memory = free.back();
   free.pop_back();
