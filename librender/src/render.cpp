@@ -116,10 +116,8 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   statistics.grid_seconds = seconds_since(start);
   count_occupancy(tracer, statistics);
 
-  start = Clock::now();
   texmap::TileCache tiles(memory_for_tiles(scene, plan));
   const Samplers samplers = make_samplers(scene, plan, options.filter, tiles);
-  statistics.table_seconds = seconds_since(start);
 
   start = Clock::now();
   picture.image = texmap::make_float_image(scene.width, scene.height);

@@ -3,28 +3,27 @@
 //
 // Based on [Heckbert86], of which [Crow84] is order 1: the value is wy^T D wx, D entries of a table of n-fold
 // sums, wx and wy the weights that spline_pieces.cpp finds for each axis. Departs from it in the arithmetic.
-//   D is summed in unsigned 64-bit words that wrap round. No fraction may multiply such a word, so D is first
-// made the sums over the box alone, whose true values are small enough:
-//   S(i) = D(i) - sum_m C(i - a + m - 1, m) D^m(a),  m = 0..n-1,
-// along y and then along x, takes off what the texels before a have left in column i. This is exact however
-// often the words have wrapped; then S is converted to double and weighed. |S| < 2^bits C(L+n-1, n)^2 for a
-// box of L texels must stay below 2^63: with 16-bit texels L is 11.8 million, 4,868 and 411 for n = 1, 2, 3.
-// Longer pieces are cut, each with sums of its own: exact for any box, in a time that grows with the cuts.
-//   A box that would take more than kMostParts pieces (order 3: past w = 685 a side, or 4,384 by 137) reads
-//   the
+//
+// D is summed in unsigned 64-bit words that wrap round, and integral_block.cpp makes of it the sums S over a
+// box alone, exact as long as |S| < 2^bits C(L+n-1, n)^2 stays below 2^63 for a box of L texels: with 16-bit
+// texels L is 11.8 million, 4,868 and 411 for n = 1, 2, 3. Longer boxes are cut, each piece with sums of its
+// own: exact for any box, in a time that grows with the pieces.
+//
+// A box that would take more than kMostParts pieces (order 3: past w = 685 a side, or 4,384 by 137) reads the
 // finest level of the pyramid where it does not. That differs by the levels' rounding, half a 16-bit step
 // each at most, and by weighing 2^l texels alike where the spline would not: a box is hundreds of texels of
 // the level wide, so a thousandth of what the texture varies within one of them.
-//   Float texels become integers over the image's range: 2^32 steps for n = 1 and 2, 2^28 for n = 3.
 //
-// Symbols: D^m the m-th backward difference of D; a where a piece begins.
+// A box of few texels weighs them one by one: quicker than the table, and the same. Float texels become
+// integers over the image's range: 2^32 steps for n = 1 and 2, 2^28 for n = 3.
 
 #include "repeated_integration.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "integral_block.hpp"
 
 namespace sweepkit::texmap {
 namespace {
@@ -46,133 +45,6 @@ int longest_piece(int order, int bits) {
   return static_cast<int>(std::pow(factorial * most, 1.0 / order)) - order;
 }
 
-template <int order>
-void add_block(const IntegralTable& table, const AxisPiece& across, const AxisPiece& down, TileReader& reader,
-               std::array<double, 3>& total) {
-  constexpr int kMost = (order + 1) * (order + 3);
-  using Words = std::array<std::uint64_t, 3>;
-  std::array<std::array<Words, kMost>, kMost> sums;
-  const auto columns = static_cast<std::size_t>(across.count);
-  const auto rows = static_cast<std::size_t>(down.count);
-  for (std::size_t r = 0; r < rows; ++r) {
-    const std::size_t zeros =
-        static_cast<int>(r) < down.zeros ? columns : static_cast<std::size_t>(across.zeros);
-    std::fill_n(sums[r].begin(), zeros, Words{});
-  }
-  for (int j = 0; j < down.run_count; ++j) {
-    const ColumnRun& y = down.runs[static_cast<std::size_t>(j)];
-    for (int i = 0; i < across.run_count; ++i) {
-      const ColumnRun& x = across.runs[static_cast<std::size_t>(i)];
-      const std::uint64_t* from = table.tile(reader, x.tile, y.tile) + 3 * (y.offset * kTileSide + x.offset);
-      for (int r = 0; r < y.count; ++r, from += 3 * kTileSide) {
-        std::uint64_t* to =
-            sums[static_cast<std::size_t>(y.first + r)][static_cast<std::size_t>(x.first)].data();
-        if (x.count == order + 1) {  // a knot by itself: a copy of known size
-          std::copy_n(from, 3 * (order + 1), to);
-        } else {
-          std::copy_n(from, 3 * x.count, to);
-        }
-      }
-    }
-  }
-  const auto distance = [](const AxisPiece& piece, std::size_t at) {
-    return static_cast<std::uint64_t>(piece.column[at] - piece.column[order - 1]);
-  };
-  // Down: whole rows at once; the anchor's rows are zero from here on. `next` is what takes `continued` one
-  // row on, and only a gap between rows costs a multiplication.
-  const auto row_words = 3 * columns;
-  const std::uint64_t* last = sums[order - 1].front().data();
-  const std::uint64_t* before = sums[std::max(order - 2, 0)].front().data();
-  const std::uint64_t* first = sums[0].front().data();
-  std::array<std::uint64_t, 3 * kMost> slope;
-  std::array<std::uint64_t, 3 * kMost> bend;
-  std::array<std::uint64_t, 3 * kMost> next;
-  std::array<std::uint64_t, 3 * kMost> continued;
-  for (std::size_t at = 0; at < row_words; ++at) {
-    slope[at] = last[at] - before[at];
-    bend[at] = slope[at] - before[at] + first[at];
-  }
-  for (std::size_t r = order; r < rows; ++r) {
-    std::uint64_t* row = sums[r].front().data();
-    const std::uint64_t d = distance(down, r);
-    if (r > order && d == distance(down, r - 1) + 1) {
-      for (std::size_t at = 0; at < row_words; ++at) {
-        if constexpr (order >= 2) continued[at] += next[at];
-        if constexpr (order == 3) next[at] += bend[at];
-        row[at] -= continued[at];
-      }
-      continue;
-    }
-    const std::uint64_t dd = d * (d + 1) / 2;
-    for (std::size_t at = 0; at < row_words; ++at) {
-      continued[at] = last[at];
-      if constexpr (order >= 2) continued[at] += d * slope[at];
-      if constexpr (order == 3) continued[at] += dd * bend[at];
-      next[at] = slope[at];
-      if constexpr (order == 3) next[at] += (d + 1) * bend[at];
-      row[at] -= continued[at];
-    }
-  }
-  // Across, and weigh.
-  std::array<std::uint64_t, kMost> d{};
-  std::array<std::uint64_t, kMost> dd{};
-  for (std::size_t c = order; c < columns; ++c) {
-    d[c] = distance(across, c);
-    dd[c] = d[c] * (d[c] + 1) / 2;
-  }
-  for (std::size_t r = order; r < rows; ++r) {
-    const auto& row = sums[r];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint64_t sum = row[order - 1][k];
-      const std::uint64_t by_one = sum - row[std::max(order - 2, 0)][k];
-      const std::uint64_t by_two = by_one - row[std::max(order - 2, 0)][k] + row[0][k];
-      double weighed = 0;
-      for (std::size_t c = order; c < columns; ++c) {
-        std::uint64_t value = row[c][k] - sum;
-        if constexpr (order >= 2) value -= d[c] * by_one;
-        if constexpr (order == 3) value -= dd[c] * by_two;
-        weighed += across.weight[c] * static_cast<double>(static_cast<std::int64_t>(value));
-      }
-      total[k] += down.weight[r] * weighed;
-    }
-  }
-}
-
-FixedPoint fixed_point_of(const Pyramid& pyramid, int order) {
-  FixedPoint fixed;
-  if (!pyramid.is_float()) {
-    const IntegerTexel first = pyramid.read<IntegerTexel>(0, {0, 0, 1, 1}).front();
-    for (std::size_t k = 0; k < 3; ++k) {
-      fixed.zero[k] = first[k];
-      fixed.origin[k] = first[k] / 65535.0;
-      fixed.step[k] = 1 / 65535.0;
-    }
-    return fixed;
-  }
-  fixed.bits = order == 3 ? 28 : 32;
-  const Pyramid::Level& size = pyramid.level(0);
-  std::array<float, 3> low;
-  std::array<float, 3> high;
-  low.fill(std::numeric_limits<float>::max());
-  high.fill(std::numeric_limits<float>::lowest());
-  for (int y = 0; y < size.height; y += kTileSide) {
-    const PixelRect band{0, y, size.width, std::min(kTileSide, size.height - y)};
-    for (const FloatTexel& texel : pyramid.read<FloatTexel>(0, band)) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], texel[k]);
-        high[k] = std::max(high[k], texel[k]);
-      }
-    }
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    fixed.origin[k] = fixed.zero[k] = low[k];
-    const double range = static_cast<double>(high[k]) - fixed.zero[k];
-    fixed.step[k] = range / (std::exp2(fixed.bits) - 1);
-    fixed.scale[k] = range > 0 ? (std::exp2(fixed.bits) - 1) / range : 0;
-  }
-  return fixed;
-}
-
 // Boxes of any width may be asked for; n together vary as one of a texel at least, which for n = 1 is
 // bilinear interpolation.
 SplineInterval widened(const SplineInterval& interval, int order) {
@@ -189,7 +61,7 @@ RepeatedIntegration::RepeatedIntegration(const Pyramid& pyramid, Wrap wrap, int 
 
 const RepeatedIntegration::Tables& RepeatedIntegration::tables() const {
   std::call_once(once_, [&] {
-    Tables made{fixed_point_of(pyramid_, order_), 0, {}};
+    Tables made{fixed_point_of(pyramid_, order_ == 3 ? 28 : 32), 0, {}};
     made.longest = longest_piece(order_, made.fixed_point.bits);
     for (int level = 0; level < pyramid_.level_count(); ++level) {
       made.levels.push_back(
@@ -283,10 +155,10 @@ std::array<double, 3> RepeatedIntegration::weigh(const SplineInterval& x, const 
 
 glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, FilterScratch& scratch) const {
   const Tables& made = tables();
-  const auto color_of = [&](const std::array<double, 3>& sum) {
+  const auto color_of = [&](const std::array<double, 3>& sum, double weights) {
     glm::dvec3 color;
     for (std::size_t k = 0; k < 3; ++k)
-      color[static_cast<glm::length_t>(k)] = made.fixed_point.origin[k] + made.fixed_point.step[k] * sum[k];
+      color[static_cast<glm::length_t>(k)] = made.fixed_point.light(sum[k] / weights, k);
     return glm::vec3(color);
   };
   // Written so that NaN, too, takes the mean of all.
@@ -298,17 +170,15 @@ glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, Filter
   std::array<double, 3> words{};
   if (!is_usable(x) || !is_usable(y)) {
     const auto& total = made.levels.front()->carries().total();
-    for (std::size_t k = 0; k < 3; ++k) {
-      words[k] = static_cast<double>(static_cast<std::int64_t>(total[k])) /
-                 (static_cast<double>(finest.width) * finest.height);
-    }
-    return color_of(words);
+    for (std::size_t k = 0; k < 3; ++k) words[k] = static_cast<double>(static_cast<std::int64_t>(total[k]));
+    return color_of(words, static_cast<double>(finest.width) * finest.height);
   }
   x = widened(x, order_);
   y = widened(y, order_);
   if (std::ceil(order_ * x.width + 1) * std::ceil(order_ * y.width + 1) <= kFewTexels) {
-    return color_of(pyramid_.is_float() ? weigh<FloatTexel>(x, y, scratch)
-                                        : weigh<IntegerTexel>(x, y, scratch));
+    return color_of(
+        pyramid_.is_float() ? weigh<FloatTexel>(x, y, scratch) : weigh<IntegerTexel>(x, y, scratch),
+        spline_total(order_, x.width) * spline_total(order_, y.width));
   }
   const int index = level_for(x, y, made.longest);
   const Pyramid::Level& size = pyramid_.level(index);
@@ -316,20 +186,18 @@ glm::vec3 RepeatedIntegration::filter(SplineInterval x, SplineInterval y, Filter
     const double scale = static_cast<double>(texels) / finest_texels;
     return SplineInterval{scale * interval.left, scale * interval.width};
   };
-  cut_into_pieces(scaled(x, size.width, finest.width), order_, size.width, wrap_, made.longest,
-                  scratch.across);
-  cut_into_pieces(scaled(y, size.height, finest.height), order_, size.height, wrap_, made.longest,
-                  scratch.down);
+  x = scaled(x, size.width, finest.width);
+  y = scaled(y, size.height, finest.height);
+  cut_into_pieces(x, order_, size.width, wrap_, made.longest, scratch.across);
+  cut_into_pieces(y, order_, size.height, wrap_, made.longest, scratch.down);
   const IntegralTable& table = *made.levels[static_cast<std::size_t>(index)];
   table.carries();
   for (const AxisPiece& down : scratch.down) {
     for (const AxisPiece& across : scratch.across) {
-      if (order_ == 1) add_block<1>(table, across, down, scratch.tables, words);
-      if (order_ == 2) add_block<2>(table, across, down, scratch.tables, words);
-      if (order_ == 3) add_block<3>(table, across, down, scratch.tables, words);
+      add_block(table, order_, across, down, scratch.tables, words);
     }
   }
-  return color_of(words);
+  return color_of(words, spline_total(order_, x.width) * spline_total(order_, y.width));
 }
 
 std::size_t RepeatedIntegration::bytes() const {

@@ -32,20 +32,19 @@ namespace {
 
 using Weights = std::array<double, kMostOrder + 1>;
 
-// The B-splines of degree n over a unit cell.
+// The B-splines of degree n over a unit cell, n! times: whole at whole places.
 Weights spline_basis(int order, double t) {
   const double s = 1 - t;
   if (order == 1) return {s, t};
-  if (order == 2) return {0.5 * s * s, 0.5 + t * s, 0.5 * t * t};
-  return {s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * s * s * s - 6 * s * s + 4) / 6,
-          t * t * t / 6};
+  if (order == 2) return {s * s, 1 + 2 * t * s, t * t};
+  return {s * s * s, (3 * t - 6) * t * t + 4, (3 * s - 6) * s * s + 4, t * t * t};
 }
 
-// F(b + z) by D, D^1, D^2 at b, for sums that end there.
+// n! F(b + z) by D, D^1, D^2 at b, for sums that end there.
 Weights continuation(int order, double z) {
   if (order == 1) return {1};
-  if (order == 2) return {1, z - 0.5};
-  return {1, z - 1, 0.5 * z * (z - 1) + 1.0 / 6};
+  if (order == 2) return {2, 2 * z - 1};
+  return {6, 6 * (z - 1), 3 * z * (z - 1) + 1};
 }
 
 // n + 1 columns that end with the one after texel i.
@@ -96,8 +95,7 @@ void add_even(int order, int a, int b, double weight, std::vector<AxisPiece>& pi
   cut_into_runs(piece);
 }
 
-void add_spline(const SplineInterval& interval, double scale, int order, int a, int b,
-                std::vector<AxisPiece>& pieces) {
+void add_spline(const SplineInterval& interval, int order, int a, int b, std::vector<AxisPiece>& pieces) {
   static constexpr std::array<std::array<double, 4>, 3> kSigned = {
       {{-1, 1}, {1, -2, 1}, {-1, 3, -3, 1}}};  // (-1)^(n-k) C(n,k)
   AxisPiece& piece = pieces.emplace_back();
@@ -107,9 +105,9 @@ void add_spline(const SplineInterval& interval, double scale, int order, int a, 
   for (int k = 0; k <= order; ++k) {
     const double knot = interval.left + k * interval.width;
     if (knot <= a) continue;
-    const double factor = scale * kSigned[static_cast<std::size_t>(order) - 1][static_cast<std::size_t>(k)];
+    const double sign = kSigned[static_cast<std::size_t>(order) - 1][static_cast<std::size_t>(k)];
     Weights weights = knot < b ? spline_basis(order, knot - std::floor(knot)) : continuation(order, knot - b);
-    for (double& weight : weights) weight *= factor;
+    for (double& weight : weights) weight *= sign;
     if (knot < b) {
       add_group(piece, order, static_cast<int>(knot), weights);
     } else {
@@ -122,7 +120,7 @@ void add_spline(const SplineInterval& interval, double scale, int order, int a, 
 }
 
 // The part of the spline over the image itself.
-void add_spline_inside(const SplineInterval& interval, double scale, int order, int size, int longest,
+void add_spline_inside(const SplineInterval& interval, int order, int size, int longest,
                        std::vector<AxisPiece>& pieces) {
   const double right = interval.left + order * interval.width;
   const int a = static_cast<int>(std::clamp(std::floor(interval.left), 0.0, 1.0 * size));
@@ -130,48 +128,52 @@ void add_spline_inside(const SplineInterval& interval, double scale, int order, 
   if (a >= b) return;
   const std::int64_t parts = (std::int64_t{b} - a + longest - 1) / longest;
   for (std::int64_t part = 0; part < parts; ++part) {
-    add_spline(interval, scale, order, a + static_cast<int>((b - a) * part / parts),
+    add_spline(interval, order, a + static_cast<int>((b - a) * part / parts),
                a + static_cast<int>((b - a) * (part + 1) / parts), pieces);
   }
 }
 
-// The integral of the spline of order n and width 1 over [0, z].
-double spline_integral(int order, double z) {
-  if (z <= 0) return 0;
-  if (z >= order) return 1;
-  if (2 * z > order) return 1 - spline_integral(order, order - z);
-  if (order == 1) return z;
-  if (order == 2) return 0.5 * z * z;
-  return z <= 1 ? z * z * z / 6 : (z * z * z - 3 * (z - 1) * (z - 1) * (z - 1)) / 6;
+// spline_total() times the integral of the spline from its left end over x.
+double spline_integral(int order, double width, double x) {
+  const double support = order * width;
+  if (x <= 0) return 0;
+  if (x >= support) return spline_total(order, width);
+  if (2 * x > support) return spline_total(order, width) - spline_integral(order, width, support - x);
+  if (order == 1) return x;
+  if (order == 2) return x * x;
+  const double past = std::max(x - width, 0.0);
+  return x * x * x - 3 * past * past * past;
 }
 
 }  // namespace
+
+double spline_total(int order, double width) {
+  return order == 1 ? width : order == 2 ? 2 * width * width : 6 * width * width * width;
+}
 
 void cut_into_pieces(const SplineInterval& interval, int order, int size, Wrap wrap, int longest,
                      std::vector<AxisPiece>& pieces) {
   pieces.clear();
   auto [left, width] = interval;
-  double scale = 1;
-  for (int i = 0; i < order; ++i) scale /= width;
   if (wrap == Wrap::kClamp) {
-    const double before = spline_integral(order, -left / width);
-    const double after = spline_integral(order, order - (size - left) / width);
+    const double before = spline_integral(order, width, -left);
+    const double after = spline_integral(order, width, left + order * width - size);
     if (before > 0) add_even(order, 0, 1, before, pieces);
-    add_spline_inside(interval, scale, order, size, longest, pieces);
+    add_spline_inside(interval, order, size, longest, pieces);
     if (after > 0) add_even(order, size - 1, size, after, pieces);
     return;
   }
   const double period = wrap == Wrap::kMirror ? 2.0 * size : size;
   if (width >= period) {
     const double rest = std::fmod(width, period);
-    const double share = std::pow(rest / width, order);
+    const double of_means = spline_total(order, width) - spline_total(order, rest);
     const std::int64_t parts = (std::int64_t{size} + longest - 1) / longest;
     for (std::int64_t part = 0; part < parts; ++part) {
       add_even(order, static_cast<int>(size * part / parts), static_cast<int>(size * (part + 1) / parts),
-               (1 - share) / size, pieces);
+               of_means / size, pieces);
     }
     // A millionth of a millionth of the range is nothing that a float could show.
-    if (share < 1e-12) return;
+    if (spline_total(order, rest) < 1e-12 * of_means) return;
     width = rest;
   }
   left -= period * std::floor(left / period);
@@ -179,15 +181,15 @@ void cut_into_pieces(const SplineInterval& interval, int order, int size, Wrap w
   for (int copy = 0; copy * static_cast<double>(size) < right; ++copy) {
     const bool is_mirrored = wrap == Wrap::kMirror && copy % 2 == 1;
     const double begin = static_cast<double>(copy) * size;
-    add_spline_inside({is_mirrored ? begin + size - right : left - begin, width}, scale, order, size, longest,
+    add_spline_inside({is_mirrored ? begin + size - right : left - begin, width}, order, size, longest,
                       pieces);
   }
 }
 
 void weigh_texels(const SplineInterval& interval, int order, int first, std::span<double> weights) {
-  double before = spline_integral(order, (first - interval.left) / interval.width);
+  double before = spline_integral(order, interval.width, first - interval.left);
   for (double& weight : weights) {
-    const double after = spline_integral(order, (++first - interval.left) / interval.width);
+    const double after = spline_integral(order, interval.width, ++first - interval.left);
     weight = after - before;
     before = after;
   }

@@ -43,12 +43,15 @@ struct AxisPiece {
   std::array<ColumnRun, kMostColumns> runs{};
 };
 
+/// n! w^n: what all weights of an axis come to.
+double spline_total(int order, double width);
+
 /// Cuts an axis of `size` texels under its wrap into pieces of at most `longest` texels whose weighed sums
 /// add up to the filter's value. `interval` lies within 2^52 texels.
 void cut_into_pieces(const SplineInterval& interval, int order, int size, Wrap wrap, int longest,
                      std::vector<AxisPiece>& pieces);
 
-/// The filter's weights of texels first, first + 1, ...
+/// spline_total() times the filter's weights of texels first, first + 1, ...
 void weigh_texels(const SplineInterval& interval, int order, int first, std::span<double> weights);
 
 }  // namespace sweepkit::texmap

@@ -22,9 +22,11 @@ std::size_t TileMemory::slot_bytes(std::size_t bytes) {
 std::byte* TileMemory::take(std::size_t slot) {
   std::vector<std::byte*>& free = free_[slot];
   if (free.empty()) {
-    std::vector<Line>& block = blocks_.emplace_back(kBlock / sizeof(Line));
+    const std::size_t slots = kBlock / slot;
+    // No more than they take: what is left over would not be counted.
+    std::vector<Line>& block = blocks_.emplace_back(slots * slot / sizeof(Line));
     auto* first = reinterpret_cast<std::byte*>(block.data());
-    for (std::size_t at = kBlock / slot; at-- > 0;) free.push_back(first + at * slot);
+    for (std::size_t at = slots; at-- > 0;) free.push_back(first + at * slot);
   }
   std::byte* memory = free.back();
   free.pop_back();
@@ -89,9 +91,8 @@ void TileCache::drop_to_bound() {
   while (counts_.bytes > bound_ - held_ && steps-- > 0 && !clock_.empty()) {
     if (hand_ >= clock_.size()) hand_ = 0;
     Tile* tile = clock_[hand_];
-    if (tile->pins_.load(std::memory_order_acquire) > 0) {
-      ++hand_;
-    } else if (tile->lives_.fetch_sub(1, std::memory_order_relaxed) > 0) {
+    if (tile->pins_.load(std::memory_order_acquire) > 0 ||
+        tile->lives_.fetch_sub(1, std::memory_order_relaxed) > 0) {
       ++hand_;
     } else {
       counts_.bytes -= tile->bytes_;

@@ -51,6 +51,11 @@ TEST(Plan, EveryFilterNeedsWhatItReadsAlone) {
   const auto with = [&](texmap::Filter filter) {
     return needed(document, {.product = Product::kPicture, .filter = filter});
   };
+  for (const texmap::Filter filter :
+       {texmap::Filter::kIntegral1, texmap::Filter::kIntegral2, texmap::Filter::kIntegral3}) {
+    EXPECT_EQ(with(filter), (std::set{Part::kTextures, Part::kTables, Part::kTexcoords, Part::kFilteredNodes,
+                                      Part::kRows}));
+  }
   EXPECT_EQ(with(texmap::Filter::kBilinear), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords}));
   for (const texmap::Filter filter :
        {texmap::Filter::kTrilinear, texmap::Filter::kEwa, texmap::Filter::kAuto}) {

@@ -27,10 +27,12 @@ class IntegralBoxes : public testing::TestWithParam<int> {
  protected:
   int order() const { return GetParam(); }
   double real(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  // Most are small, one in fifty is wide along one axis: the reference looks at every texel.
+  // Few of them, but of every order, weigh the texels themselves. One in fifty is wide along one axis: the
+  // reference looks at every texel.
   std::pair<double, double> sides() {
-    const double small = std::exp2(real(0, 4));
-    const double other = std::exp2(real(0, wide_++ % 50 == 0 ? 8 : 4));
+    const double most = 7 - order();
+    const double small = std::exp2(real(0, most));
+    const double other = std::exp2(real(0, wide_++ % 50 == 0 ? 8 : most));
     return wide_ % 2 == 0 ? std::pair{small, other} : std::pair{other, small};
   }
   // Near the image, near its border, or up to a hundred images away.

@@ -77,7 +77,6 @@ Report statistics_report(const render::Statistics& statistics, const scene::Plan
            {"filtered_nodes", statistics.filtered_nodes},
            {"differential_nodes", statistics.differential_nodes},
            {"grid_seconds", statistics.grid_seconds},
-           {"table_seconds", statistics.table_seconds},
            {"picture_seconds", statistics.picture_seconds},
            {"shade_thread_seconds", statistics.shade_thread_seconds},
            {"grid_bytes", statistics.grid_bytes},

@@ -52,7 +52,6 @@ struct Statistics {
   std::uint64_t differential_nodes = 0;  ///< of them, filtered by ray differentials
   std::uint64_t textured_nodes = 0;
   double grid_seconds = 0;          ///< building the grids
-  double table_seconds = 0;         ///< building tables of integrals
   double picture_seconds = 0;       ///< tracing and shading, wall clock
   double shade_thread_seconds = 0;  ///< of them shading, summed over threads
   std::uint64_t grid_bytes = 0;

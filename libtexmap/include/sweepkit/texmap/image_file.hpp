@@ -24,7 +24,7 @@ Image read_image(const std::filesystem::path& file, ColorSpace color_space);
 
 class TexelSource;
 
-/// Opens an image for filters that read tiles. An image of at most a quarter of `memory` bytes is read whole.
+/// Opens an image for a TextureSampler. An image of at most a quarter of `memory` bytes is read whole.
 /// A larger one stays in its file if that is tiled; else it is unpacked, once, into a temporary file (8 bytes
 /// a texel, 16 of float images; TMPDIR says where) that has no name and goes with the program. Throws
 /// InputError as read_image() does, and, for files that stay where they are, when a damaged part is first

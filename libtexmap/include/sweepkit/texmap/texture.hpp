@@ -16,7 +16,7 @@ enum class Wrap { kRepeat, kClamp, kMirror };
 class TexelSource;  // of an image file that is read piece by piece (image_file.hpp)
 
 /// An image laid over (u,v): u to the right, v upwards, the top row at v = 1. Either the whole image is in
-/// memory or its file is read as it is needed; files are for filters that read tiles.
+/// memory or its file is read as it is needed.
 struct ImageTexture {
   std::shared_ptr<const Image> image;
   Wrap wrap = Wrap::kRepeat;
