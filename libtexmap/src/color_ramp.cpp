@@ -6,7 +6,7 @@
 
 namespace sweepkit::texmap {
 
-double mean_kink(double t, const Spread& spread) {
+double mean_kink(double t, const Cumulants& spread) {
   const double sigma = std::sqrt(std::max(0.0, spread.variance));
   // Six sigma off the density is below 1e-8.
   if (!(std::abs(t) < 6 * sigma)) return std::max(0.0, t);

@@ -25,12 +25,12 @@ struct RampKnot {
 };
 
 /// E max(0, t + x), x of mean 0 with that spread.
-double mean_kink(double t, const Spread& spread);
+double mean_kink(double t, const Cumulants& spread);
 
 /// The mean colour about `t` of the ramp whose knot i, 0 <= i < count, is knot(i): rising, and constant past
 /// its ends.
 template <class KnotAt>
-glm::dvec3 mean_of_ramp(double t, const Spread& spread, std::size_t count, KnotAt&& knot) {
+glm::dvec3 mean_of_ramp(double t, const Cumulants& spread, std::size_t count, KnotAt&& knot) {
   RampKnot before = knot(std::size_t{0});
   glm::dvec3 sum(before.color);
   glm::dvec3 slope(0.0);

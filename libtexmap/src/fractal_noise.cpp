@@ -25,7 +25,7 @@ namespace {
 // 4 million points, good to the last digit given or to the one before.
 struct Values {
   double mean;
-  Spread spread;
+  Cumulants spread;
   double fade;  // k
 };
 
@@ -109,7 +109,7 @@ FilteredNoise turbulence(const glm::dvec3& position, double extent, const Octave
   return sum(position, extent, octaves, values_of_magnitude(octaves), [](double n) { return std::abs(n); });
 }
 
-Spread spread_of_fractal_sum(const Octaves& octaves) {
+Cumulants cumulants_of_fractal_sum(const Octaves& octaves) {
   return fractal_sum({}, HUGE_VAL, octaves).lost;
 }
 

@@ -123,7 +123,7 @@ glm::dvec3 granite(const Pattern& pattern, const PatternPlace& place) {
     const Octaves octaves = stretched(pattern.octaves, grains, grains);
     const FilteredNoise value =
         fractal_sum(stretch * place.at + elsewhere(static_cast<int>(i)), place.extent(stretch), octaves);
-    const double sigma = std::sqrt(spread_of_fractal_sum(octaves).variance);
+    const double sigma = std::sqrt(cumulants_of_fractal_sum(octaves).variance);
     const double above = value.mean - kThreshold * sigma;
     const double half = kEdge * sigma;
     const double covered =
@@ -137,7 +137,7 @@ glm::dvec3 clouds(const Pattern& pattern, const PatternPlace& place) {
   const glm::dvec3 stretch(static_cast<double>(kCloudCells));
   const Octaves octaves = stretched(pattern.octaves, kCloudCells, kCloudCells);
   const FilteredNoise value = fractal_sum(stretch * place.at, place.extent(stretch), octaves);
-  const double sigma = std::sqrt(spread_of_fractal_sum(octaves).variance);
+  const double sigma = std::sqrt(cumulants_of_fractal_sum(octaves).variance);
   constexpr double kThick = 2;  // deviations from a cloud's edge to where it is white
   const double edge = upper_quantile(pattern.given.coverage);
   const Colors colors = pattern.colors;
@@ -152,7 +152,7 @@ glm::dvec3 plain_noise(const Pattern& pattern, const PatternPlace& place) {
   const glm::dvec3 stretch(static_cast<double>(kNoiseCells));
   const Octaves octaves = stretched(pattern.octaves, kNoiseCells, kNoiseCells);
   const FilteredNoise value = fractal_sum(stretch * place.at, place.extent(stretch), octaves);
-  const double sigma = std::sqrt(spread_of_fractal_sum(octaves).variance);
+  const double sigma = std::sqrt(cumulants_of_fractal_sum(octaves).variance);
   constexpr double kReach = 2.5;  // deviations; what lies beyond takes the ends' colours
   const Colors colors = pattern.colors;
   const auto knot = [&](std::size_t i) -> RampKnot {

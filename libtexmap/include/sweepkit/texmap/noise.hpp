@@ -31,16 +31,16 @@ struct Octaves {
 };
 
 /// How the values under a footprint lie about their mean: the cumulants of order 2 to 4.
-struct Spread {
+struct Cumulants {
   double variance = 0;
   double third = 0;
   double fourth = 0;
 };
 
-/// The mean of a noise under a footprint, and the spread of what it has lost.
+/// The mean of a noise under a footprint, and the cumulants of what it has lost.
 struct FilteredNoise {
   double mean = 0;
-  Spread lost;
+  Cumulants lost;
 };
 
 /// Sum of noise over octaves [Perlin85], often called fBm, under a footprint whose covariance has the trace
@@ -51,7 +51,7 @@ FilteredNoise fractal_sum(const glm::dvec3& position, double extent, const Octav
 /// The same of |noise| [Perlin85]: its octaves fade to their mean, which is not 0. From 0 to 2.08.
 FilteredNoise turbulence(const glm::dvec3& position, double extent, const Octaves& octaves);
 
-/// The spread of the whole of fractal_sum(), which is what it has lost at an extent of infinity.
-Spread spread_of_fractal_sum(const Octaves& octaves);
+/// The cumulants of the whole of fractal_sum(), which is what it has lost at an extent of infinity.
+Cumulants cumulants_of_fractal_sum(const Octaves& octaves);
 
 }  // namespace sweepkit::texmap
