@@ -87,12 +87,12 @@ INSTANTIATE_TEST_SUITE_P(
              "literal"},
         Case{
             "UnknownKey", with_plane(R"("colour": 3)"),
-            R"(scene.json:3:42: /objects/0/colour: unknown key "colour"; there is "name", "material", "translate", "rotate_deg", "scale", "tessellation", "uv", "crease_deg", "sweep", "revolve", "plane", "parts")"},
+            R"(scene.json:3:42: /objects/0/colour: unknown key "colour"; there is "name", "material", "translate", "rotate_deg", "scale", "tessellation", "uv", "crease_deg", "sweep", "revolve", "plane", "mesh", "parts")"},
         Case{"MisspeltKey", with_plane(R"("materiel": "m")"),
              R"(scene.json:3:42: /objects/0/materiel: unknown key "materiel"; did you mean "material"?)"},
         Case{
             "KeyOfALaterVersion", with_plane(R"("instances": [])"),
-            R"(scene.json:3:42: /objects/0/instances: unknown key "instances"; there is "name", "material", "translate", "rotate_deg", "scale", "tessellation", "uv", "crease_deg", "sweep", "revolve", "plane", "parts")"},
+            R"(scene.json:3:42: /objects/0/instances: unknown key "instances"; there is "name", "material", "translate", "rotate_deg", "scale", "tessellation", "uv", "crease_deg", "sweep", "revolve", "plane", "mesh", "parts")"},
         Case{"WrongType", with_object(R"({"name": "x", "plane": {"size": "big"}})"),
              "scene.json:3:33: /objects/0/plane/size: needs 2 numbers in an array, got a string"},
         Case{"OneControlPoint", with_tube(R"({"bezier": [[0, 0]]})"),

@@ -54,7 +54,7 @@ TEST(Plan, EveryFilterNeedsWhatItReadsAlone) {
   for (const texmap::Filter filter :
        {texmap::Filter::kIntegral1, texmap::Filter::kIntegral2, texmap::Filter::kIntegral3}) {
     EXPECT_EQ(with(filter), (std::set{Part::kTextures, Part::kTables, Part::kTexcoords, Part::kFilteredNodes,
-                                      Part::kRows}));
+                                      Part::kDifferentials, Part::kRows}));
   }
   EXPECT_EQ(with(texmap::Filter::kBilinear), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords}));
   for (const texmap::Filter filter :
@@ -88,9 +88,10 @@ TEST(Plan, ProceduralTexturesNeedRowsButNoTable) {
         texmap::Filter::kEwa, texmap::Filter::kAuto}) {
     const Request request{.product = Product::kPicture, .filter = filter};
     EXPECT_EQ(needed(scene_of(R"("texture": "tiles")"), request),
-              (std::set{Part::kTextures, Part::kTexcoords, Part::kFilteredNodes, Part::kRows}));
+              (std::set{Part::kTextures, Part::kTexcoords, Part::kFilteredNodes, Part::kDifferentials,
+                        Part::kRows}));
     EXPECT_EQ(needed(scene_of(R"("texture": "marble")"), request),
-              (std::set{Part::kTextures, Part::kFilteredNodes, Part::kRows}));
+              (std::set{Part::kTextures, Part::kFilteredNodes, Part::kDifferentials, Part::kRows}));
   }
 }
 

@@ -21,7 +21,7 @@ enum class Part {
   kLayouts,        ///< (u,v) laid out over the texture for mesh files that have none
   kTextures,       ///< texture images read, procedural textures set up
   kBakes,          ///< procedural textures turned into images for a file
-  kTables,         ///< tables of integrals over textures that the filter reads
+  kTables,         ///< tables of integrals that the filter reads, and tiles of the texels they sum up
   kTiles,          ///< tiles of image textures and of their smaller copies
   kTexcoords,      ///< (u,v) interpolated at hits
   kFilteredNodes,  ///< neighbours' boxes made and looked up
