@@ -7,6 +7,8 @@
 
 #include "sweepkit/texmap/tile_cache.hpp"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <bit>
 #include <mutex>
@@ -14,27 +16,36 @@
 namespace sweepkit::texmap {
 
 std::size_t TileMemory::slot_bytes(std::size_t bytes) {
+  constexpr std::size_t kLeast = 64;  // a line of the processor's cache
   constexpr std::size_t kStep = std::size_t{1} << 14;
-  return bytes <= 2 * kStep ? std::bit_ceil(std::max(bytes, sizeof(Line)))
-                            : (bytes + kStep - 1) / kStep * kStep;
+  return bytes <= 2 * kStep ? std::bit_ceil(std::max(bytes, kLeast)) : (bytes + kStep - 1) / kStep * kStep;
 }
 
 std::byte* TileMemory::take(std::size_t slot) {
-  std::vector<std::byte*>& free = free_[slot];
+  std::vector<FreeSlot>& free = free_[slot];
   if (free.empty()) {
-    const std::size_t slots = kBlock / slot;
-    // No more than they take: what is left over would not be counted.
-    std::vector<Line>& block = blocks_.emplace_back(slots * slot / sizeof(Line));
-    auto* first = reinterpret_cast<std::byte*>(block.data());
-    for (std::size_t at = slots; at-- > 0;) free.push_back(first + at * slot);
+    // Not touched, and so not in memory, before a tile is written to it.
+    std::byte* block = blocks_
+                           .emplace_back(static_cast<std::byte*>(
+                               ::operator new (std::max(kBlock, slot), std::align_val_t{kPage})))
+                           .get();
+    for (std::size_t at = std::max(kBlock / slot, std::size_t{1}); at-- > 0;)
+      free.push_back({block + at * slot, false});
   }
-  std::byte* memory = free.back();
+  const FreeSlot taken = free.back();
   free.pop_back();
-  return memory;
+  if (taken.is_in_memory) spare_ -= slot;
+  return taken.memory;
 }
 
 void TileMemory::give_back(std::byte* memory, std::size_t slot) {
-  free_[slot].push_back(memory);
+  const bool stays = slot % kPage != 0 || spare_ + slot <= kMostSpare;
+  if (stays) {
+    spare_ += slot;
+  } else {
+    ::madvise(memory, slot, MADV_DONTNEED);
+  }
+  free_[slot].push_back({memory, stays});
 }
 
 const Tile* TileCache::pin(const TileKey& key, const TileMaker& maker) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <new>
 #include <shared_mutex>
 #include <unordered_map>
 #include <vector>
@@ -55,23 +56,32 @@ class TileMaker {
   static constexpr std::size_t kLargestTile = std::size_t{1} << 17;
 };
 
-/// Memory for tiles, in slots of few sizes (powers of two, and multiples of 16 KiB past 32), cut from blocks
-/// that are kept until the end: tiles come and go by the hundred thousand, and a general heap would be left
-/// full of holes.
+/// Memory for tiles, in slots cut from blocks that are kept until the end: tiles come and go by the hundred
+/// thousand, and a general heap would be left full of holes. A free slot serves its own size alone; past a
+/// few, the pages of free slots go back to the system, so that what is in use decides what memory is taken.
 class TileMemory {
  public:
+  static constexpr std::size_t kMostSpare = std::size_t{4}
+                                            << 20;  ///< bytes of free slots that stay in memory
+
   /// Bytes that a tile of this size takes.
   static std::size_t slot_bytes(std::size_t bytes);
   std::byte* take(std::size_t slot);
   void give_back(std::byte* memory, std::size_t slot);
 
  private:
+  static constexpr std::size_t kPage = 4096;
   static constexpr std::size_t kBlock = std::size_t{1} << 20;
-  struct alignas(64) Line {
-    std::array<std::byte, 64> bytes;
+  struct Free {
+    void operator()(std::byte* block) const { ::operator delete (block, std::align_val_t{kPage}); }
   };
-  std::vector<std::vector<Line>> blocks_;
-  std::map<std::size_t, std::vector<std::byte*>> free_;  // by the slot's size
+  struct FreeSlot {
+    std::byte* memory;
+    bool is_in_memory;
+  };
+  std::vector<std::unique_ptr<std::byte, Free>> blocks_;
+  std::map<std::size_t, std::vector<FreeSlot>> free_;  // by the slot's size
+  std::size_t spare_ = 0;                              // of free slots that are in memory
 };
 
 /// Tiles of all textures, made when first touched and dropped when they come to more than the bound. Who
