@@ -301,5 +301,26 @@ TEST(AreaRatioMap, GivesATriangleWithoutAreaItsRightAngle) {
   }
 }
 
+TEST(Mappings, CentroidErrorsOfASurfaceAreMeansOverItsRightTriangles) {
+  // A square floor at y = 0 of two triangles, and one whose (u,v) are no right triangle.
+  const std::vector<glm::vec3> positions = {{0, 0, -1}, {0, 0, 0}, {1, 0, 0}, {1, 0, -1}};
+  const std::vector<glm::vec2> texcoords = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};
+  const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {2, 3, 0}, {1, 2, 0}};
+  const auto all = summarize_centroid_errors({positions, texcoords, triangles});
+  for (const CentroidErrors& errors : all) {
+    SCOPED_TRACE(errors.method);
+    if (errors.method == MatrixMap::kName) {
+      EXPECT_EQ(errors.failures, 2u);  // the plane holds the origin: eq. 3 has no inverse
+    } else {
+      EXPECT_EQ(errors.failures, 0u);
+      // (1/2, 1/3) in place of (1/3, 1/3) of the legs.
+      EXPECT_NEAR(errors.mean, errors.method == DoubledVertexMap::kName ? 1.0 / 6 : 0, 1e-15);
+      EXPECT_NEAR(errors.worst, errors.mean, 1e-15);
+    }
+  }
+  EXPECT_TRUE(
+      summarize_centroid_errors({positions, texcoords, std::span(triangles).last(1)}).front().method.empty());
+}
+
 }  // namespace
 }  // namespace sweepkit::texmap

@@ -166,7 +166,7 @@ Report uv_report(const Info& command, const std::string& extension) {
   }
   const scene::Model model = build_shapes(document);
   if (!heat_map.file.empty()) write_heat_map(model.scene, heat_map, command.output);
-  return {{{"file", command.file}}, {uv_table(model.scene)}};
+  return {{{"file", command.file}}, {uv_table(model.scene), centroid_table(model.scene)}};
 }
 
 Report gltf_report(const std::string& file) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "uv_report.hpp"
 
-#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 #include "sweepkit/error.hpp"
@@ -11,6 +11,7 @@
 #include "sweepkit/texmap/distortion.hpp"
 #include "sweepkit/texmap/heat_map.hpp"
 #include "sweepkit/texmap/image_file.hpp"
+#include "sweepkit/texmap/triangle_maps.hpp"
 
 namespace sweepkit::tools {
 namespace {
@@ -25,18 +26,15 @@ std::vector<glm::vec3> world_positions(const scene::Object& object, const scene:
   return positions;
 }
 
-// Four digits tell all that one asks of a ratio.
-double rounded(double ratio) {
-  if (!(ratio > 0) || !std::isfinite(ratio)) return ratio;
-  const double unit = std::pow(10.0, std::floor(std::log10(ratio)) - 3);
-  // By division where the unit is below 1: 1000 is exact and 0.001 is not.
-  return unit < 1 ? std::round(ratio / unit) / std::round(1 / unit) : std::round(ratio / unit) * unit;
-}
-
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
+}
+
+// Four digits tell all that one asks of a ratio.
+double rounded(double ratio) {
+  return std::strtod(number(ratio).c_str(), nullptr);
 }
 
 }  // namespace
@@ -66,6 +64,24 @@ Table uv_table(const scene::Scene& scene) {
                           {"overlap", rounded(texmap::find_overlap(surface))},
                           {"degenerate", std::uint64_t{d.degenerate_triangles}},
                           {"mirrored", std::uint64_t{d.mirrored_triangles}}});
+  }
+  return table;
+}
+
+Table centroid_table(const scene::Scene& scene) {
+  Table table{"centroid error", {}};
+  for (const scene::Object& object : scene.objects) {
+    const scene::MeshView& mesh = scene.meshes[object.mesh];
+    const std::vector<glm::vec3> positions = world_positions(object, mesh);
+    for (const texmap::CentroidErrors& errors :
+         texmap::summarize_centroid_errors({positions, mesh.texcoords, mesh.triangles})) {
+      if (errors.method.empty()) continue;
+      table.rows.push_back({{"object", object.name},
+                            {"map", std::string(errors.method)},
+                            {"mean", errors.has_value ? Value(rounded(errors.mean)) : Value()},
+                            {"worst", errors.has_value ? Value(rounded(errors.worst)) : Value()},
+                            {"failures", std::uint64_t{errors.failures}}});
+    }
   }
   return table;
 }

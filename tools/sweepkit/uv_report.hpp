@@ -15,6 +15,10 @@ namespace sweepkit::tools {
 /// ratio, density, seams, overlaps, and triangles without texture or with a mirrored one.
 Table uv_table(const scene::Scene& scene);
 
+/// The same report's second table: how far each of the triangle maps of the paper's section 2 puts the
+/// centroids of an object's triangles from the texture's, in legs.
+Table centroid_table(const scene::Scene& scene);
+
 enum class HeatMeasure { kAspectRatio, kHomogeneity };
 
 struct HeatMapRequest {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 #include <tuple>
 
 #include "sweepkit/texmap/area_ratio_mapping.hpp"
 #include "sweepkit/texmap/barycentric_mapping.hpp"
 #include "sweepkit/texmap/cevian_mapping.hpp"
+#include "sweepkit/texmap/distortion.hpp"
 #include "sweepkit/texmap/doubled_vertex_mapping.hpp"
 #include "sweepkit/texmap/matrix_mapping.hpp"
 
@@ -27,5 +29,17 @@ struct CentroidError {
 /// One for each of TriangleMaps, in order.
 std::array<CentroidError, std::tuple_size_v<TriangleMaps>> centroid_errors(const Triangle3<double>& t1,
                                                                            const RightTriangle& t2);
+
+/// The same over all triangles of a surface that are right triangles of the texture with their right angle at
+/// the second corner, as those of sweeps are; others are left out. No names where no triangle is one.
+struct CentroidErrors {
+  std::string_view method;
+  double mean = 0;           ///< in longer legs of the texture's triangle
+  double worst = 0;          ///< the same
+  std::size_t failures = 0;  ///< triangles for which the method has no value; not in the two above
+  bool has_value = false;    ///< for any triangle
+};
+std::array<CentroidErrors, std::tuple_size_v<TriangleMaps>> summarize_centroid_errors(
+    const MappedSurface& surface);
 
 }  // namespace sweepkit::texmap
