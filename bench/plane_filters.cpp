@@ -72,6 +72,10 @@ class View {
 
 using Texels = std::vector<float>;  // grey
 
+std::size_t texel_index(int x, int y, int width) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
 Texels checker() {
   Texels texels;
   for (int y = 0; y < kTexture; ++y) {
@@ -84,12 +88,9 @@ Texels noise() {
   std::vector<double> sum(kTexture * kTexture, 0.0);
   std::mt19937 random(7);
   for (int cells = 4; cells <= kTexture; cells *= 2) {
-    std::vector<double> lattice;
-    for (int i = 0; i < cells * cells; ++i)
-      lattice.push_back(std::uniform_real_distribution<>(-1, 1)(random));
-    const auto at = [&](int x, int y) {
-      return lattice[static_cast<std::size_t>((y % cells) * cells + x % cells)];
-    };
+    std::vector<double> lattice(texel_index(0, cells, cells));
+    for (double& value : lattice) value = std::uniform_real_distribution<>(-1, 1)(random);
+    const auto at = [&](int x, int y) { return lattice[texel_index(x % cells, y % cells, cells)]; };
     for (int y = 0; y < kTexture; ++y) {
       for (int x = 0; x < kTexture; ++x) {
         const double gx = (x + 0.5) * cells / kTexture;
@@ -98,8 +99,8 @@ Texels noise() {
         const int iy = static_cast<int>(gy);
         const double fx = gx - ix;
         const double fy = gy - iy;
-        sum[static_cast<std::size_t>(y * kTexture + x)] += std::lerp(
-            std::lerp(at(ix, iy), at(ix + 1, iy), fx), std::lerp(at(ix, iy + 1), at(ix + 1, iy + 1), fx), fy);
+        sum[texel_index(x, y, kTexture)] += std::lerp(std::lerp(at(ix, iy), at(ix + 1, iy), fx),
+                                                      std::lerp(at(ix, iy + 1), at(ix + 1, iy + 1), fx), fy);
       }
     }
   }
@@ -191,7 +192,7 @@ class Peer {
     OIIO::ImageBuf image(spec);
     for (int y = 0; y < kTexture; ++y) {
       for (int x = 0; x < kTexture; ++x) {
-        const float value = texels[static_cast<std::size_t>(y * kTexture + x)];
+        const float value = texels[texel_index(x, y, kTexture)];
         image.setpixel(x, y, OIIO::cspan<float>({value, value, value}));
       }
     }
@@ -336,6 +337,7 @@ int main(int argc, char** argv) {
       const texmap::ImageTexture texture{to_image(column.texels)};
       const std::vector<Pixel> pixels = pixels_of(view);
       std::vector<double> reference;
+      reference.reserve(pixels.size());
       for (const Pixel& pixel : pixels) reference.push_back(reference_at(view, column.texels, pixel, is_box));
 
       texmap::TileCache cache;
