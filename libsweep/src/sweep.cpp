@@ -187,7 +187,9 @@ Mesh sweep(std::span<const Curve2> contour, const Curve3& trajectory, const Swee
     add_wall(mesh, wall, swept.spine, uv_of(i));
   }
   if (mesh.triangles.empty()) {
-    throw InputError("profile is 0 all along, which leaves no surface; let it be above 0 somewhere");
+    throw InputError(
+        "profile is 0 at every row of the mesh, which leaves no surface; let it be above 0 somewhere, or "
+        "ask for more cells along the trajectory");
   }
   if (options.caps != Caps::kNone && contour.front().is_closed() && !trajectory.is_closed()) {
     add_cap(mesh, contour, swept, End::kFirst, options, uv_of(0));

@@ -19,26 +19,31 @@ constexpr double kSlower =
 constexpr double kSlower = 1;
 #endif
 
-// Of 40 runs the one that other programs on the machine disturbed least.
-double shortest_time(const Workshop& workshop, const std::vector<std::string>& arguments) {
+// Other programs on the machine lengthen the time on the wall, so of 40 runs the shortest counts; they hardly
+// touch the processor's, of which it is the median.
+void expect_under_30_ms(const Workshop& workshop, const std::vector<std::string>& arguments) {
   double shortest = std::numeric_limits<double>::infinity();
+  std::vector<double> cpu_seconds;
   for (int i = 0; i < 40; ++i) {
     const Outcome run = workshop.sweepkit(arguments);
     EXPECT_EQ(run.status, 0) << run.err;
     shortest = std::min(shortest, run.time.count());
+    cpu_seconds.push_back(run.cpu_seconds);
   }
-  return shortest;
+  std::nth_element(cpu_seconds.begin(), cpu_seconds.begin() + 20, cpu_seconds.end());
+  EXPECT_LT(shortest, 0.030 * kSlower);
+  EXPECT_LT(cpu_seconds[20], 0.030 * kSlower);
 }
 
 TEST(StartTime, GenerateOfASmallUntexturedObjectTakesUnder30Ms) {
   const Workshop workshop;
   workshop.write("ball.json", scene_of(kBall));
-  EXPECT_LT(shortest_time(workshop, {"generate", "ball.json", "-o", "ball.glb"}), 0.030 * kSlower);
+  expect_under_30_ms(workshop, {"generate", "ball.json", "-o", "ball.glb"});
 }
 
 TEST(StartTime, HelpTakesUnder30Ms) {
   const Workshop workshop;
-  EXPECT_LT(shortest_time(workshop, {"--help"}), 0.030 * kSlower);
+  expect_under_30_ms(workshop, {"--help"});
 }
 
 TEST(StartTime, TheImageModuleIsLeftOnTheDiskWhereNoImageIsTouched) {

@@ -120,6 +120,8 @@ Outcome Workshop::run(const std::vector<std::string>& command) const {
   Outcome result;
   result.time = std::chrono::steady_clock::now() - start;
   result.status = exit_status(wait_status);
+  for (const timeval& part : {used.ru_utime, used.ru_stime})
+    result.cpu_seconds += static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
   result.peak_bytes = std::size_t{1024} * static_cast<std::size_t>(used.ru_maxrss);
   for (std::size_t i = 0; i < 2; ++i) {
     std::string& text = i == 0 ? result.out : result.err;

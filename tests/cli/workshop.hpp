@@ -17,8 +17,9 @@ struct Outcome {
   int status = 0;  ///< exit status, or 128 plus the signal that ended it
   std::string out;
   std::string err;
-  std::chrono::duration<double> time{};
-  std::size_t peak_bytes = 0;  ///< the most memory that it held at once
+  std::chrono::duration<double> time{};  ///< on the wall
+  double cpu_seconds = 0;                ///< of the processor, its own and the system's
+  std::size_t peak_bytes = 0;            ///< the most memory that it held at once
 };
 
 /// An empty folder to work in, removed at the end. The program runs inside it.

@@ -7,6 +7,7 @@
 
 #include "mesh_measures.hpp"
 #include "surface_distance.hpp"
+#include "sweepkit/error.hpp"
 #include "tolerance_cases.hpp"
 
 namespace sweepkit::sweep {
@@ -46,9 +47,11 @@ std::size_t fewest_by_search(const Case& c, double tolerance, std::size_t chosen
   const int least_rows = c.trajectory.is_closed() ? 3 : 1;
   std::size_t fewest = chosen_cells * 4;
   const auto fits = [&](int columns, int rows) {
-    const Mesh mesh = counted(c, columns, rows);
-    // One row of cells between two poles has no surface.
-    return !mesh.triangles.empty() && largest_distance(surface, mesh) <= tolerance;
+    try {
+      return largest_distance(surface, counted(c, columns, rows)) <= tolerance;
+    } catch (const InputError&) {
+      return false;  // one row of cells between two poles has no surface
+    }
   };
   for (double columns = 3; columns < 600; columns *= 1.1) {
     const int n = 2 * static_cast<int>(columns / 2 + 1);
