@@ -78,7 +78,9 @@ TEST(Harness, TellsTimesForOneCallAndRatiosToTheFirst) {
   const Result& longer = comparison.results[1];
   EXPECT_EQ(shorter.ratio.median, 1);
   EXPECT_GE(shorter.seconds.min, 2e-3);  // a sleep is never shorter than asked for
+  EXPECT_LT(shorter.seconds.min, 6e-3);  // but three of them together are at least 6 ms
   EXPECT_GE(longer.seconds.min, 20e-3);
+  EXPECT_GT(longer.ratio.median, 2);  // 10 on an idle machine
   // However busy the machine is, nine short ones and three long ones fit into the whole.
   EXPECT_LE(9 * shorter.seconds.min + 3 * longer.seconds.min, elapsed);
   const Comparison once = compare("sleep", {{"short", sleep(2), {}, {}, 3}, {"long", sleep(20), {}, {}}}, 1);
