@@ -82,6 +82,16 @@ glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const
   return local_light(at, material, color, counts) + static_cast<double>(material.reflect) * reflection;
 }
 
+std::optional<std::size_t> Shader::on_same_piece(const RowWindow& rows, const Neighbourhood& nodes,
+                                                 std::size_t r, std::size_t c) {
+  if (nodes[r][c] < 0) return std::nullopt;
+  const TreeNode& at = rows[1]->nodes[static_cast<std::size_t>(nodes[1][1])];
+  const auto other = static_cast<std::size_t>(nodes[r][c]);
+  const TreeNode& node = rows[r]->nodes[other];
+  if (node.hit.object != at.hit.object || node.area != at.area) return std::nullopt;
+  return other;
+}
+
 std::optional<glm::vec3> Shader::filtered(const RowWindow& rows, const Neighbourhood& nodes,
                                           const texmap::TextureSampler& sampler,
                                           texmap::FilterThread& filter) const {
@@ -90,13 +100,9 @@ std::optional<glm::vec3> Shader::filtered(const RowWindow& rows, const Neighbour
   const glm::dvec2 hit = rows[1]->texcoords[own];
   const sweep::Area& area = tracer_.object(at.hit.object).mesh->areas[at.area];
   const glm::dvec2 period(area.u_period, area.v_period);
-  // The neighbour's (u,v), if it lies on the same piece of texture.
   const auto neighbour = [&](std::size_t r, std::size_t c) -> std::optional<glm::dvec2> {
-    if (nodes[r][c] < 0) return std::nullopt;
-    const auto other = static_cast<std::size_t>(nodes[r][c]);
-    const TreeNode& node = rows[r]->nodes[other];
-    if (node.hit.object != at.hit.object || node.area != at.area) return std::nullopt;
-    return rows[r]->texcoords[other];
+    const std::optional<std::size_t> other = on_same_piece(rows, nodes, r, c);
+    return other ? std::optional(rows[r]->texcoords[*other]) : std::nullopt;
   };
   if (footprint_ == Footprint::kNeighbours) {
     std::array<glm::dvec2, 8> around;
@@ -138,13 +144,11 @@ std::optional<texmap::PatternFootprint> Shader::pattern_footprint(const RowWindo
     const sweep::Area& area = tracer_.object(at.hit.object).mesh->areas[at.area];
     period = {area.u_period, area.v_period, 0};
   }
-  // The way to the neighbour, if it lies on the same piece of the object; across a seam the short way.
+  // The way to the neighbour; across a seam the short way.
   const auto way_to = [&](std::size_t r, std::size_t c) -> std::optional<glm::dvec3> {
-    if (nodes[r][c] < 0) return std::nullopt;
-    const auto other = static_cast<std::size_t>(nodes[r][c]);
-    const TreeNode& node = rows[r]->nodes[other];
-    if (node.hit.object != at.hit.object || node.area != at.area) return std::nullopt;
-    glm::dvec3 way = pattern_place(*rows[r], other, on) - here;
+    const std::optional<std::size_t> other = on_same_piece(rows, nodes, r, c);
+    if (!other) return std::nullopt;
+    glm::dvec3 way = pattern_place(*rows[r], *other, on) - here;
     for (glm::length_t k = 0; k < 2; ++k) {
       if (period[k] > 0) way[k] -= period[k] * std::nearbyint(way[k] / period[k]);
     }

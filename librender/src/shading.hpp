@@ -75,6 +75,9 @@ class Shader {
   // Of the ray that the path ends with. No further ray is traced.
   RayDifferential differential(const Path& path) const;
   HitDifferential moved_hit(const Path& path) const;
+  // The neighbour's node in its row, if it lies on the same piece of the same object.
+  static std::optional<std::size_t> on_same_piece(const RowWindow& rows, const Neighbourhood& nodes,
+                                                  std::size_t r, std::size_t c);
   std::optional<glm::vec3> filtered(const RowWindow& rows, const Neighbourhood& nodes,
                                     const texmap::TextureSampler& sampler,
                                     texmap::FilterThread& filter) const;
