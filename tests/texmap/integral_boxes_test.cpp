@@ -7,15 +7,16 @@
 #include <random>
 
 #include "integral_texture.hpp"
+#include "random_image.hpp"
 #include "spline_reference.hpp"
 
 namespace sweepkit::texmap {
 namespace {
 
 using reference::Box;
-using reference::random_image;
 using reference::Whole;
 using test::IntegralTexture;
+using test::random_image;
 
 constexpr Wrap kWraps[] = {Wrap::kRepeat, Wrap::kClamp, Wrap::kMirror};
 constexpr std::pair<int, int> kSizes[] = {{4096, 4096}, {2048, 512}, {4096, 1}, {1, 4095}, {3001, 17},

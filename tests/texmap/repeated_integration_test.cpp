@@ -8,15 +8,16 @@
 #include <random>
 
 #include "integral_texture.hpp"
+#include "random_image.hpp"
 #include "spline_reference.hpp"
 
 namespace sweepkit::texmap {
 namespace {
 
 using reference::Box;
-using reference::random_image;
 using reference::Whole;
 using test::IntegralTexture;
+using test::random_image;
 
 constexpr Wrap kWraps[] = {Wrap::kRepeat, Wrap::kClamp, Wrap::kMirror};
 // A level of 8 bits; promises are told in it.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -121,22 +120,6 @@ double value(const Image& image, Wrap wrap, const Box& box, int n, int channel) 
 inline double half_step(double want) {
   const double step = std::ldexp(1.0, std::max(std::ilogb(std::max(want, 1e-30)), -126) - 23);
   return 0.5000001 * step;
-}
-
-inline Image random_image(int width, int height, unsigned seed, bool is_float = false) {
-  std::mt19937 random(seed);
-  const std::size_t count = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  Image image{width, height, 3, {}};
-  if (is_float) {
-    std::vector<float> texels(count);
-    for (float& t : texels) t = std::uniform_real_distribution<float>(0, 1)(random);
-    image.texels = std::move(texels);
-  } else {
-    std::vector<std::uint16_t> texels(count);
-    for (std::uint16_t& t : texels) t = static_cast<std::uint16_t>(random());
-    image.texels = std::move(texels);
-  }
-  return image;
 }
 
 }  // namespace sweepkit::texmap::reference

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 #include "sweepkit/texmap/texture_sampler.hpp"
+#include "random_image.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,19 +20,8 @@ namespace {
 constexpr double kLevel = 1.0 / 255;
 
 std::shared_ptr<const Image> random_image(int width, int height, bool is_float = false) {
-  std::mt19937 random(static_cast<unsigned>(width * 31 + height));
-  const std::size_t count = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  Image image{width, height, 3, {}};
-  if (is_float) {
-    std::vector<float> texels(count);
-    for (float& t : texels) t = std::uniform_real_distribution<float>(0, 1)(random);
-    image.texels = std::move(texels);
-  } else {
-    std::vector<std::uint16_t> texels(count);
-    for (std::uint16_t& t : texels) t = static_cast<std::uint16_t>(random());
-    image.texels = std::move(texels);
-  }
-  return std::make_shared<const Image>(std::move(image));
+  return std::make_shared<const Image>(
+      test::random_image(width, height, static_cast<unsigned>(width * 31 + height), is_float));
 }
 
 std::int64_t wrapped(std::int64_t i, int size, Wrap wrap) {
