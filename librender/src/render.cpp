@@ -58,16 +58,12 @@ std::size_t memory_for_tiles(const scene::Scene& scene, const scene::Plan& plan)
   return std::max(all / 4, all - std::min(all, held));
 }
 
-void count_occupancy(const Tracer& tracer, Statistics& statistics) {
+void count_accelerators(const Tracer& tracer, Statistics& statistics) {
   std::vector<std::uint32_t> counts;
-  for (std::size_t i = 0; i < tracer.object_count(); ++i) {
-    const VoxelGrid& grid = tracer.object(static_cast<std::uint32_t>(i)).grid;
-    statistics.grid_bytes += grid.bytes();
-    for (std::size_t voxel = 0; voxel + 1 < grid.first.size(); ++voxel) {
-      ++statistics.voxels;
-      const std::uint32_t count = grid.first[voxel + 1] - grid.first[voxel];
-      if (count > 0) counts.push_back(count);
-    }
+  for (const auto& accelerator : tracer.accelerators()) {
+    if (!accelerator) continue;
+    statistics.accelerator_bytes += accelerator->bytes();
+    statistics.voxels += accelerator->count_occupancy(counts);
   }
   if (counts.empty()) return;
   const auto at = [&](double share) {
@@ -111,10 +107,9 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   Statistics& statistics = picture.statistics;
 
   Clock::time_point start = Clock::now();
-  const Tracer tracer(scene, plan.needs_part(scene::Part::kGlobalGrid),
-                      options.uses_linear_scan ? Tracer::Search::kLinear : Tracer::Search::kGrids);
-  statistics.grid_seconds = seconds_since(start);
-  count_occupancy(tracer, statistics);
+  const Tracer tracer(scene, plan.needs_part(scene::Part::kGlobalGrid), options.accelerator);
+  statistics.build_seconds = seconds_since(start);
+  count_accelerators(tracer, statistics);
 
   texmap::TileCache tiles(memory_for_tiles(scene, plan));
   const Samplers samplers = make_samplers(scene, plan, options.filter, tiles);

@@ -1,28 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// Based on [Akdemir98, 3.3] and [Fujimoto86]: a grid an object, in the object's own space and so oriented to
-// it, and a global one over the objects. The paper divides "with respect to the number of contour and
-// trajectory curves" so that a voxel holds about six triangles at most. Here the counts give the mean area of
-// a triangle and that the voxel's side: a voxel of side h that a surface passes holds about h^2 / area
-// triangles and their neighbours.
+// Based on [Akdemir98, 3.3]: a global grid over the objects' bounding boxes.
 
 #include "tracer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
-#include "triangle_box_overlap.hpp"
-#include "triangle_intersection.hpp"
+#include "recent.hpp"
 
 namespace sweepkit::render {
 namespace {
-
-// Measured on the paper's vase (median occupancy and time a ray, docs/algorithms/seads.md): a smaller voxel
-// spends more on walking than it saves on triangles.
-constexpr double kVoxelAreas = 1.5;
-constexpr double kVoxelsPerTriangle = 8;
 
 glm::dmat4 affine_inverse(const glm::dmat4& matrix) {
   // Cofactors of a lopsided matrix lose digits; a step of Newton's brings them back.
@@ -39,35 +30,6 @@ Ray to_mesh_space(const TracedObject& object, const Ray& ray) {
           glm::dmat3(object.mesh_from_world) * ray.direction, ray.from_object, ray.from_triangle};
 }
 
-VoxelGrid grid_over(const scene::MeshView& mesh) {
-  Box box;
-  double area = 0;
-  for (const sweep::Triangle& triangle : mesh.triangles) {
-    const glm::dvec3 a(mesh.positions[triangle[0]]);
-    const glm::dvec3 b(mesh.positions[triangle[1]]);
-    const glm::dvec3 c(mesh.positions[triangle[2]]);
-    box.add(a);
-    box.add(b);
-    box.add(c);
-    area += 0.5 * glm::length(glm::cross(b - a, c - a));
-  }
-  const auto count = static_cast<double>(mesh.triangles.size());
-  VoxelGrid grid = make_grid(box, std::sqrt(kVoxelAreas * area / count), kVoxelsPerTriangle * count + 8);
-  fill_grid(
-      grid, static_cast<std::uint32_t>(mesh.triangles.size()),
-      [&](std::uint32_t t) {
-        Box bounds;
-        for (const std::uint32_t v : mesh.triangles[t]) bounds.add(glm::dvec3(mesh.positions[v]));
-        return bounds;
-      },
-      [&](std::uint32_t t, const Box& voxel) {
-        const auto& [a, b, c] = mesh.triangles[t];
-        return overlaps(glm::dvec3(mesh.positions[a]), glm::dvec3(mesh.positions[b]),
-                        glm::dvec3(mesh.positions[c]), voxel);
-      });
-  return grid;
-}
-
 Box world_box(const TracedObject& object) {
   Box local;
   for (const glm::vec3& position : object.mesh->positions) local.add(glm::dvec3(position));
@@ -81,79 +43,11 @@ Box world_box(const TracedObject& object) {
   return world;
 }
 
-bool test_triangle(const scene::MeshView& mesh, const ShearedRay& ray, std::uint32_t triangle, double end,
-                   Hit& hit) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  return ray.meets(mesh.positions[a], mesh.positions[b], mesh.positions[c], end, hit);
-}
-
-void keep_nearer(Hit& best, Hit found, std::uint32_t object, std::uint32_t triangle) {
-  if (best.is_hit() && best.is_before(found.t, object, triangle)) return;
-  found.object = object;
-  found.triangle = triangle;
-  best = found;
-}
-
-// The triangles tested last, so that one lying in several voxels is tested once. A small direct-mapped
-// memory: a miss costs one more test and nothing else.
-class Recent {
- public:
-  bool add(std::uint32_t triangle) {
-    std::uint32_t& slot = slots_[triangle % kSlots];
-    if (slot == triangle) return false;
-    slot = triangle;
-    return true;
-  }
-
- private:
-  static constexpr std::size_t kSlots = 16;
-  std::array<std::uint32_t, kSlots> slots_ = [] {
-    std::array<std::uint32_t, kSlots> none{};
-    none.fill(kNone);
-    return none;
-  }();
-};
-
-void nearest_in_grid(const TracedObject& object, std::uint32_t index, const Ray& world_ray, Hit& best) {
-  const Ray ray = to_mesh_space(object, world_ray);
-  const ShearedRay sheared(ray);
-  const VoxelGrid& grid = object.grid;
-  Recent recent;
-  walk(grid, ray, best.t, [&](std::size_t voxel, double exit) {
-    for (std::uint32_t i = grid.first[voxel]; i < grid.first[voxel + 1]; ++i) {
-      const std::uint32_t triangle = grid.items[i];
-      Hit found;
-      if (recent.add(triangle) && test_triangle(*object.mesh, sheared, triangle, best.t, found) &&
-          !ray.leaves(index, triangle)) {
-        keep_nearer(best, found, index, triangle);
-      }
-    }
-    return best.t < exit;  // what lies beyond this voxel is farther
-  });
-}
-
-bool is_blocked_in_grid(const TracedObject& object, std::uint32_t index, const Ray& world_ray, double end) {
-  const Ray ray = to_mesh_space(object, world_ray);
-  const ShearedRay sheared(ray);
-  const VoxelGrid& grid = object.grid;
-  Recent recent;
-  bool is_blocked = false;
-  walk(grid, ray, end, [&](std::size_t voxel, double) {
-    for (std::uint32_t i = grid.first[voxel]; i < grid.first[voxel + 1] && !is_blocked; ++i) {
-      const std::uint32_t triangle = grid.items[i];
-      Hit found;
-      is_blocked = recent.add(triangle) && test_triangle(*object.mesh, sheared, triangle, end, found) &&
-                   found.t < end && !ray.leaves(index, triangle);
-    }
-    return is_blocked;
-  });
-  return is_blocked;
-}
-
 }  // namespace
 
-Tracer::Tracer(const scene::Scene& scene, bool has_global_grid, Search search)
-    : has_global_grid_(has_global_grid && search == Search::kGrids), search_(search) {
+Tracer::Tracer(const scene::Scene& scene, bool has_global_grid, Accelerator accelerator)
+    : has_global_grid_(has_global_grid && accelerator != Accelerator::kLinear) {
+  accelerators_.resize(scene.meshes.size());
   for (const scene::Object& entry : scene.objects) {
     TracedObject object;
     object.mesh = &scene.meshes[entry.mesh];
@@ -162,8 +56,12 @@ Tracer::Tracer(const scene::Scene& scene, bool has_global_grid, Search search)
     object.world_from_mesh = entry.world_from_object * from_origin;
     object.mesh_from_world = affine_inverse(object.world_from_mesh);
     object.normal_to_world = glm::transpose(glm::dmat3(object.mesh_from_world));
-    if (search_ == Search::kGrids && !object.mesh->triangles.empty()) object.grid = grid_over(*object.mesh);
-    objects_.push_back(std::move(object));
+    auto& shared = accelerators_[entry.mesh];
+    if (!shared && !object.mesh->triangles.empty())
+      shared = make_accelerator(*object.mesh,
+                                accelerator == Accelerator::kAuto ? Accelerator::kSeads : accelerator);
+    object.accelerator = shared.get();
+    objects_.push_back(object);
   }
   if (!has_global_grid_) return;
   std::vector<Box> boxes;
@@ -204,39 +102,23 @@ void Tracer::for_objects_along(const Ray& ray, double end, OnObject&& on_object)
 
 Hit Tracer::nearest(const Ray& ray) const {
   Hit best;
-  if (search_ == Search::kLinear) {
-    for (std::uint32_t i = 0; i < objects_.size(); ++i) {
-      const ShearedRay sheared(to_mesh_space(objects_[i], ray));
-      for (std::uint32_t t = 0; t < objects_[i].mesh->triangles.size(); ++t) {
-        Hit found;
-        if (test_triangle(*objects_[i].mesh, sheared, t, best.t, found) && !ray.leaves(i, t))
-          keep_nearer(best, found, i, t);
-      }
-    }
-    return best;
-  }
-  for_objects_along(ray, kNoEnd, [&](std::uint32_t object, double exit) {
-    if (object != kNone) nearest_in_grid(objects_[object], object, ray, best);
-    return object == kNone && best.t < exit;
+  for_objects_along(ray, kNoEnd, [&](std::uint32_t index, double exit) {
+    if (index == kNone) return best.t < exit;
+    const TracedObject& object = objects_[index];
+    if (object.accelerator != nullptr)
+      object.accelerator->find_nearest(to_mesh_space(object, ray), index, best);
+    return false;
   });
   return best;
 }
 
 bool Tracer::is_blocked(const Ray& ray, double end) const {
   bool is_blocked = false;
-  if (search_ == Search::kLinear) {
-    for (std::uint32_t i = 0; i < objects_.size() && !is_blocked; ++i) {
-      const ShearedRay sheared(to_mesh_space(objects_[i], ray));
-      for (std::uint32_t t = 0; t < objects_[i].mesh->triangles.size() && !is_blocked; ++t) {
-        Hit found;
-        is_blocked =
-            test_triangle(*objects_[i].mesh, sheared, t, end, found) && found.t < end && !ray.leaves(i, t);
-      }
-    }
-    return is_blocked;
-  }
-  for_objects_along(ray, end, [&](std::uint32_t object, double) {
-    if (object != kNone) is_blocked = is_blocked_in_grid(objects_[object], object, ray, end);
+  for_objects_along(ray, end, [&](std::uint32_t index, double) {
+    if (index == kNone) return false;
+    const TracedObject& object = objects_[index];
+    is_blocked = object.accelerator != nullptr &&
+                 object.accelerator->is_blocked(to_mesh_space(object, ray), index, end);
     return is_blocked;
   });
   return is_blocked;

@@ -44,7 +44,7 @@ TEST(Picture, IsTheSameForAnyNumberOfThreads) {
 TEST(Picture, IsTheSameForALinearScan) {
   Stage stage(kStillLife);
   stage.set_texture(0, checker_image());
-  EXPECT_EQ(texels(stage.draw()), texels(stage.draw({.uses_linear_scan = true})));
+  EXPECT_EQ(texels(stage.draw()), texels(stage.draw({.accelerator = Accelerator::kLinear})));
 }
 
 TEST(Picture, IsTheSameAtScalesOfPowersOfTwo) {

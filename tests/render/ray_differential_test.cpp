@@ -74,7 +74,7 @@ std::optional<Way> follow(const Tracer& tracer, const EyeRays& rays, int x, int 
 
 TEST(RayDifferential, EqualsTheClosedFormOnAPlane) {
   const Stage stage(scene_of(kFloor));
-  const Tracer tracer(stage.model.scene, false, Tracer::Search::kGrids);
+  const Tracer tracer(stage.model.scene, false, Accelerator::kSeads);
   const EyeRays rays(stage.model.scene.camera, kSide, kSide);
   int count = 0;
   for (int y = 0; y < kSide; y += 7) {
@@ -100,7 +100,7 @@ TEST(RayDifferential, EqualsTheClosedFormInAPlaneMirror) {
   const Stage stage(scene_of(
       std::string(kFloor) +
       R"(, {"name": "mirror", "translate": [0, 5.01, -3], "rotate_deg": [90, 0, 0], "plane": {"size": [60, 10]}})"));
-  const Tracer tracer(stage.model.scene, true, Tracer::Search::kGrids);
+  const Tracer tracer(stage.model.scene, true, Accelerator::kSeads);
   const EyeRays rays(stage.model.scene.camera, kSide, kSide);
   int count = 0;
   for (int y = 0; y < kSide; y += 3) {
@@ -121,7 +121,7 @@ TEST(RayDifferential, AgreesWithTracedNeighboursInAMirrorBall) {
       std::string(kFloor) +
       R"(, {"name": "ball", "translate": [0, 1, 0], "tessellation": {"contour": 48, "trajectory": 96},
         "revolve": {"contour": {"arc": {"radius": 1, "from_deg": -90, "to_deg": 90}}}})"));
-  const Tracer tracer(stage.model.scene, true, Tracer::Search::kGrids);
+  const Tracer tracer(stage.model.scene, true, Accelerator::kSeads);
   // Pixels a hundredth as wide, so that neighbours lie on one triangle and curvature does not tell.
   const int fine = 100 * kSide;
   const EyeRays rays(stage.model.scene.camera, fine, fine);

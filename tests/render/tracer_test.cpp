@@ -51,9 +51,9 @@ std::vector<Ray> rays_at(const scene::Scene& scene, int count) {
 
 TEST(Tracer, GridsFindTheSameHitsAsALinearScanToTheBit) {
   const test::Stage stage(kCrowd);
-  const Tracer grids(stage.model.scene, true, Tracer::Search::kGrids);
-  const Tracer without_global(stage.model.scene, false, Tracer::Search::kGrids);
-  const Tracer linear(stage.model.scene, false, Tracer::Search::kLinear);
+  const Tracer grids(stage.model.scene, true, Accelerator::kSeads);
+  const Tracer without_global(stage.model.scene, false, Accelerator::kSeads);
+  const Tracer linear(stage.model.scene, false, Accelerator::kLinear);
   int hits = 0;
   for (const Ray& ray : rays_at(stage.model.scene, 20000)) {
     const Hit expected = linear.nearest(ray);
@@ -72,7 +72,7 @@ TEST(Tracer, GridsFindTheSameHitsAsALinearScanToTheBit) {
 
 TEST(Tracer, TiesGoToTheLowerObject) {
   const test::Stage stage(kCrowd);  // two floors in one place
-  const Tracer tracer(stage.model.scene, true, Tracer::Search::kGrids);
+  const Tracer tracer(stage.model.scene, true, Accelerator::kSeads);
   EXPECT_EQ(tracer.nearest({{3, 1, 3}, {0, -1, 0}}).object, 0u);
 }
 
@@ -93,7 +93,7 @@ TEST(Tracer, AClosedSphereLeaksNoRay) {
     glm::dmat4 placement(1.0);
     placement[3] = glm::dvec4(offset, 1);
     scene.objects.push_back({"sphere", 0, {}, placement});
-    const Tracer tracer(scene, false, Tracer::Search::kGrids);
+    const Tracer tracer(scene, false, Accelerator::kSeads);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> real(0, 1);
     int misses = 0;
@@ -113,7 +113,7 @@ TEST(Tracer, AClosedSphereLeaksNoRay) {
 
 TEST(Tracer, ARayWithoutNumbersHitsNothing) {
   const test::Stage stage(kCrowd);
-  const Tracer tracer(stage.model.scene, true, Tracer::Search::kGrids);
+  const Tracer tracer(stage.model.scene, true, Accelerator::kSeads);
   const double nan = std::nan("");
   EXPECT_FALSE(tracer.nearest({{nan, 0, 0}, {0, -1, 0}}).is_hit());
   EXPECT_FALSE(tracer.nearest({{0, 1, 0}, {nan, nan, nan}}).is_hit());

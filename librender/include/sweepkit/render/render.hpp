@@ -25,16 +25,22 @@ enum class Footprint {
           ///< a direction has none (silhouettes, thin things), by derivatives
 };
 
+/// How the triangles that a ray meets are found.
+enum class Accelerator {
+  kSeads,   ///< the paper's grids (3.3)
+  kLinear,  ///< every triangle: the reference that tests compare the others with
+  kAuto,
+};
+
 /// One eye ray a pixel; or a picture n times as large each way, shrunk. 3 takes the paper's weights (1/4 in
 /// the middle, 1/8 at the sides, 1/16 at the corners), any other n equal ones: 16 makes a reference under a
 /// box of one pixel.
 struct Options {
   Filter filter = Filter::kAuto;
   Footprint footprint = Footprint::kAuto;
-  int supersampling = 1;  ///< 1 to 64
-  int threads = 0;        ///< 0: as many as the machine has
-  bool uses_linear_scan =
-      false;  ///< every ray against every triangle: the reference that tests compare the grid with
+  int supersampling = 1;                         ///< 1 to 64
+  int threads = 0;                               ///< 0: as many as the machine has
+  Accelerator accelerator = Accelerator::kAuto;  ///< the picture is the same with any of them
   std::function<void(double done)>
       on_progress;  ///< share of the picture, 0 to 1; called from any thread, one at a time
   const std::atomic<bool>* is_cancelled =
@@ -51,10 +57,10 @@ struct Statistics {
   std::uint64_t filtered_nodes = 0;      ///< of them, filtered over their neighbours
   std::uint64_t differential_nodes = 0;  ///< of them, filtered by ray differentials
   std::uint64_t textured_nodes = 0;
-  double grid_seconds = 0;          ///< building the grids
+  double build_seconds = 0;         ///< building the accelerators
   double picture_seconds = 0;       ///< tracing and shading, wall clock
   double shade_thread_seconds = 0;  ///< of them shading, summed over threads
-  std::uint64_t grid_bytes = 0;
+  std::uint64_t accelerator_bytes = 0;
   std::uint64_t voxels = 0;
   std::uint32_t median_triangles = 0;  ///< in the voxels that hold any
   std::uint32_t p99_triangles = 0;
