@@ -20,9 +20,9 @@ void BandCounts::add(const BandCounts& other) {
   rays.texcoords += other.rays.texcoords;
   shading.shadow_rays += other.shading.shadow_rays;
   shading.nodes += other.shading.nodes;
-  shading.textured += other.shading.textured;
-  shading.filtered += other.shading.filtered;
-  shading.differentials += other.shading.differentials;
+  shading.lookups.textured += other.shading.lookups.textured;
+  shading.lookups.filtered += other.shading.lookups.filtered;
+  shading.lookups.differentials += other.shading.lookups.differentials;
   shade_seconds += other.shade_seconds;
   row_bytes = std::max(row_bytes, other.row_bytes);
   link_bytes = std::max(link_bytes, other.link_bytes);

@@ -80,8 +80,8 @@ void count_accelerators(const Tracer& tracer, Statistics& statistics) {
 void fill_ledger(scene::Ledger& ledger, const BandCounts& counts, const Tracer& tracer) {
   using scene::Part;
   ledger[Part::kTexcoords] = {counts.texcoord_bytes, counts.rays.texcoords};
-  ledger[Part::kFilteredNodes] = {0, counts.shading.filtered};
-  ledger[Part::kDifferentials] = {0, counts.shading.differentials};
+  ledger[Part::kFilteredNodes] = {0, counts.shading.lookups.filtered};
+  ledger[Part::kDifferentials] = {0, counts.shading.lookups.differentials};
   ledger[Part::kRows] = {counts.row_bytes, counts.row_bytes > 0 ? 2u : 0u};
   ledger[Part::kTrees] = {counts.link_bytes, counts.rays.reflected};
   ledger[Part::kShadows] = {0, counts.shading.shadow_rays};
@@ -117,7 +117,8 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   start = Clock::now();
   picture.image = texmap::make_float_image(scene.width, scene.height);
   const TreeBuilder builder(scene, plan, tracer);
-  const Shader shader(scene, plan, tracer, samplers, options.filter, options.footprint);
+  const TextureLookup textures(scene, plan, tracer, samplers, options.filter, options.footprint);
+  const Shader shader(scene, plan, tracer, textures);
   const BandPainter painter(scene, plan, builder, shader, tiles, options.supersampling);
   const int bands = (scene.height + kBandRows - 1) / kBandRows;
   std::vector<BandCounts> counts(static_cast<std::size_t>(bands));
@@ -151,9 +152,9 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   statistics.reflected_rays = total.rays.reflected;
   statistics.shadow_rays = total.shading.shadow_rays;
   statistics.nodes = total.shading.nodes;
-  statistics.filtered_nodes = total.shading.filtered;
-  statistics.differential_nodes = total.shading.differentials;
-  statistics.textured_nodes = total.shading.textured;
+  statistics.filtered_nodes = total.shading.lookups.filtered;
+  statistics.differential_nodes = total.shading.lookups.differentials;
+  statistics.textured_nodes = total.shading.lookups.textured;
   statistics.shade_thread_seconds = total.shade_seconds;
   fill_ledger(picture.ledger, total, tracer);
   std::size_t sums = 0;

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "neighbourhood.hpp"
+#include "ray_differential.hpp"
+#include "sweepkit/render/render.hpp"
+#include "sweepkit/scene/plan.hpp"
+#include "sweepkit/scene/scene.hpp"
+#include "sweepkit/texmap/footprint.hpp"
+#include "sweepkit/texmap/procedural.hpp"
+#include "sweepkit/texmap/texture_sampler.hpp"
+#include "tracer.hpp"
+
+namespace sweepkit::render {
+
+/// By Scene::textures; none where the texture is computed, or not used.
+using Samplers = std::vector<std::optional<texmap::TextureSampler>>;
+
+struct LookupCounts {
+  std::uint64_t textured = 0;
+  std::uint64_t filtered = 0;
+  std::uint64_t differentials = 0;
+};
+
+/// The diffuse colour of nodes: the material's, times its texture filtered over what the pixel covers.
+class TextureLookup {
+ public:
+  TextureLookup(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer,
+                const Samplers& samplers, texmap::Filter filter, Footprint footprint)
+      : scene_(scene),
+        tracer_(tracer),
+        samplers_(samplers),
+        filter_(filter),
+        footprint_(footprint),
+        looks_round_(plan.needs_part(scene::Part::kFilteredNodes)),
+        uses_differentials_(plan.needs_part(scene::Part::kDifferentials) &&
+                            footprint != Footprint::kNeighbours) {}
+
+  /// Of the node nodes[1][1], which `path` ends with.
+  glm::dvec3 diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+                     const scene::Material& material, texmap::FilterThread& filter,
+                     LookupCounts& counts) const;
+
+ private:
+  // Of the ray that the path ends with. No further ray is traced.
+  RayDifferential differential(const NodePath& path) const;
+  HitDifferential moved_hit(const NodePath& path) const;
+  std::optional<glm::vec3> filtered(const RowWindow& rows, const Neighbourhood& nodes,
+                                    const texmap::TextureSampler& sampler,
+                                    texmap::FilterThread& filter) const;
+  // Where a node lies in the space that a procedural texture is on, and what its pixel covers there, by the
+  // pixels beside it; none where they do not tell.
+  glm::dvec3 pattern_place(const TreeRow& row, std::size_t node, texmap::ProceduralOn on) const;
+  std::optional<texmap::PatternFootprint> pattern_footprint(const RowWindow& rows, const Neighbourhood& nodes,
+                                                            texmap::ProceduralOn on) const;
+
+  const scene::Scene& scene_;
+  const Tracer& tracer_;
+  const Samplers& samplers_;
+  texmap::Filter filter_;
+  Footprint footprint_;
+  bool looks_round_;         // are footprints made from neighbours?
+  bool uses_differentials_;  // and from the rays' derivatives?
+};
+
+}  // namespace sweepkit::render
