@@ -31,12 +31,14 @@ void BandCounts::add(const BandCounts& other) {
 }
 
 BandPainter::BandPainter(const scene::Scene& scene, const scene::Plan& plan, const TreeBuilder& builder,
-                         const Shader& shader, texmap::TileCache& tiles, int supersampling)
+                         const Shader& shader, texmap::TileCache& tiles, const Region& region,
+                         int supersampling)
     : builder_(builder),
       shader_(shader),
       tiles_(tiles),
       eye_rays_(scene.camera, scene.width * supersampling, scene.height * supersampling),
-      width_(scene.width * supersampling),
+      region_{region.x * supersampling, region.y * supersampling, region.width * supersampling,
+              region.height * supersampling},
       supersampling_(supersampling),
       has_neighbour_rows_(plan.needs_part(scene::Part::kRows)) {}
 
@@ -46,15 +48,16 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
   texmap::FilterThread filter(tiles_);
   std::array<TreeRow, 3> rows;
   const auto trace = [&](TreeRow& row, int y) {
-    builder_.build(row, eye_rays_, y, width_, has_neighbour_rows_, counts.rays);
+    const int border = has_neighbour_rows_ ? 1 : 0;
+    builder_.build(row, eye_rays_, y, region_.x - border, region_.x + region_.width + border, counts.rays);
   };
-  const int large_first = first * supersampling_;
-  const int large_end = end * supersampling_;
+  const int large_first = region_.y + first * supersampling_;
+  const int large_end = region_.y + end * supersampling_;
   if (has_neighbour_rows_) {
     trace(rows[1], large_first - 1);
     trace(rows[2], large_first);
   }
-  std::vector<glm::dvec3> colors(static_cast<std::size_t>(width_));
+  std::vector<glm::dvec3> colors(static_cast<std::size_t>(region_.width));
   std::optional<Shrinker> shrinker;
   if (supersampling_ > 1) shrinker.emplace(supersampling_, image.width);
   auto& texels = std::get<std::vector<float>>(image.texels);
@@ -71,13 +74,15 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
       trace(rows[0], y);
     }
     const Clock::time_point start = Clock::now();
-    for (int x = 0; x < width_; ++x)
-      colors[static_cast<std::size_t>(x)] = shader_.pixel(window, eye_rays_, x, y, filter, counts.shading);
+    for (int x = 0; x < region_.width; ++x) {
+      colors[static_cast<std::size_t>(x)] =
+          shader_.pixel(window, eye_rays_, region_.x + x, y, filter, counts.shading);
+    }
     counts.shade_seconds += std::chrono::duration<double>(Clock::now() - start).count();
 
-    const int k = y % supersampling_;
-    float* out = texels.data() +
-                 3 * static_cast<std::size_t>(y / supersampling_) * static_cast<std::size_t>(image.width);
+    const int row = (y - region_.y) / supersampling_;
+    const int k = (y - region_.y) % supersampling_;
+    float* out = texels.data() + 3 * static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
     if (!shrinker) {
       for (const glm::dvec3& color : colors) {
         for (glm::length_t c = 0; c < 3; ++c) *out++ = static_cast<float>(color[c]);

@@ -33,9 +33,9 @@ struct BandCounts {
 class BandPainter {
  public:
   BandPainter(const scene::Scene& scene, const scene::Plan& plan, const TreeBuilder& builder,
-              const Shader& shader, texmap::TileCache& tiles, int supersampling);
+              const Shader& shader, texmap::TileCache& tiles, const Region& region, int supersampling);
 
-  /// Rows first..end-1 of `image`. Stops early when `is_cancelled` is set.
+  /// Rows first..end-1 of `image`, which is the region. Stops early when `is_cancelled` is set.
   BandCounts paint(texmap::Image& image, int first, int end, const std::atomic<bool>* is_cancelled) const;
 
  private:
@@ -43,7 +43,7 @@ class BandPainter {
   const Shader& shader_;
   texmap::TileCache& tiles_;
   EyeRays eye_rays_;
-  int width_;  // of the larger picture
+  Region region_;  // of the larger picture
   int supersampling_;
   bool has_neighbour_rows_;
 };

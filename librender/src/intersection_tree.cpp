@@ -60,15 +60,14 @@ std::int32_t TreeBuilder::add_node(TreeRow& row, const Hit& hit, const Ray& ray,
   return static_cast<std::int32_t>(row.nodes.size()) - 1;
 }
 
-void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, int y, int width, bool has_border,
+void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end,
                         RayCounts& counts) const {
-  row.first_pixel = has_border ? -1 : 0;
+  row.first_pixel = first;
   row.roots.clear();
   row.nodes.clear();
   row.texcoords.clear();
   row.links.clear();
-  const int end = has_border ? width + 1 : width;
-  for (int x = row.first_pixel; x < end; ++x) {
+  for (int x = first; x < end; ++x) {
     Ray ray = eye_rays.through(x, y);
     Hit hit = tracer_.nearest(ray);
     ++counts.eye;

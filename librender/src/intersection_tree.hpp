@@ -31,8 +31,8 @@ struct TreeLinks {
   std::int32_t refraction = kNotTraced;
 };
 
-/// One row of the picture as intersection trees, the pixels from -1 to width (the filter's border) where
-/// something is filtered, else 0 to width - 1. Nodes lie flat, parents before children, and link by index;
+/// One row of the picture as intersection trees, with a pixel more at either end (the filter's border) where
+/// something is filtered. Nodes lie flat, parents before children, and link by index;
 /// (u,v) and links have their arrays only where the plan needs them. The storage is used again from row to
 /// row.
 struct TreeRow {
@@ -61,9 +61,8 @@ class TreeBuilder {
  public:
   TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer);
 
-  /// Row y of a picture `width` pixels wide, with a border of one pixel if `has_border`.
-  void build(TreeRow& row, const EyeRays& eye_rays, int y, int width, bool has_border,
-             RayCounts& counts) const;
+  /// Pixels first..end-1 of row y.
+  void build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end, RayCounts& counts) const;
 
  private:
   std::int32_t add_node(TreeRow& row, const Hit& hit, const Ray& ray, RayCounts& counts) const;

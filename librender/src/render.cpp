@@ -89,7 +89,7 @@ void fill_ledger(scene::Ledger& ledger, const BandCounts& counts, const Tracer& 
   if (tracer.has_global_grid()) ledger[Part::kGlobalGrid] = {tracer.global_grid().bytes(), 1};
 }
 
-void check(const Options& options) {
+void check(const scene::Scene& scene, const Options& options) {
   if (options.supersampling < 1 || options.supersampling > 64) {
     throw InputError("supersampling needs 1 to 64 samples a side, got " +
                      std::to_string(options.supersampling));
@@ -97,12 +97,22 @@ void check(const Options& options) {
   if (options.threads < 0 || options.threads > 4096) {
     throw InputError("threads needs 0 (all) to 4096, got " + std::to_string(options.threads));
   }
+  if (const auto& crop = options.crop) {
+    const bool is_inside = crop->x >= 0 && crop->y >= 0 && crop->width > 0 && crop->height > 0 &&
+                           crop->x <= scene.width - crop->width && crop->y <= scene.height - crop->height;
+    if (!is_inside) {
+      throw InputError("crop needs pixels inside the picture of " + std::to_string(scene.width) + " x " +
+                       std::to_string(scene.height) + ", got " + std::to_string(crop->width) + " x " +
+                       std::to_string(crop->height) + " at " + std::to_string(crop->x) + ", " +
+                       std::to_string(crop->y));
+    }
+  }
 }
 
 }  // namespace
 
 Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options& options) {
-  check(options);
+  check(scene, options);
   Picture picture;
   Statistics& statistics = picture.statistics;
 
@@ -115,12 +125,13 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   const Samplers samplers = make_samplers(scene, plan, options.filter, tiles);
 
   start = Clock::now();
-  picture.image = texmap::make_float_image(scene.width, scene.height);
+  const Region region = options.crop.value_or(Region{0, 0, scene.width, scene.height});
+  picture.image = texmap::make_float_image(region.width, region.height);
   const TreeBuilder builder(scene, plan, tracer);
   const TextureLookup textures(scene, plan, tracer, samplers, options.filter, options.footprint);
   const Shader shader(scene, plan, tracer, textures);
-  const BandPainter painter(scene, plan, builder, shader, tiles, options.supersampling);
-  const int bands = (scene.height + kBandRows - 1) / kBandRows;
+  const BandPainter painter(scene, plan, builder, shader, tiles, region, options.supersampling);
+  const int bands = (region.height + kBandRows - 1) / kBandRows;
   std::vector<BandCounts> counts(static_cast<std::size_t>(bands));
   std::mutex progress;
   int done = 0;
@@ -135,7 +146,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
     tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& range) {
       for (int band = range.begin(); band < range.end(); ++band) {
         counts[static_cast<std::size_t>(band)] =
-            painter.paint(picture.image, band * kBandRows, std::min(scene.height, (band + 1) * kBandRows),
+            painter.paint(picture.image, band * kBandRows, std::min(region.height, (band + 1) * kBandRows),
                           options.is_cancelled);
         const std::lock_guard lock(progress);
         ++done;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,14 +33,23 @@ enum class Accelerator {
   kAuto,
 };
 
+/// Pixels x..x+width-1, y..y+height-1, y down from the top.
+struct Region {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
 /// One eye ray a pixel; or a picture n times as large each way, shrunk. 3 takes the paper's weights (1/4 in
 /// the middle, 1/8 at the sides, 1/16 at the corners), any other n equal ones: 16 makes a reference under a
 /// box of one pixel.
 struct Options {
   Filter filter = Filter::kAuto;
   Footprint footprint = Footprint::kAuto;
-  int supersampling = 1;                         ///< 1 to 64
-  int threads = 0;                               ///< 0: as many as the machine has
+  int supersampling = 1;       ///< 1 to 64
+  std::optional<Region> crop;  ///< this part of the picture alone, the same bytes; inside it, not empty
+  int threads = 0;             ///< 0: as many as the machine has
   Accelerator accelerator = Accelerator::kAuto;  ///< the picture is the same with any of them
   std::function<void(double done)>
       on_progress;  ///< share of the picture, 0 to 1; called from any thread, one at a time
@@ -68,7 +78,7 @@ struct Statistics {
 };
 
 struct Picture {
-  texmap::Image image;  ///< float RGB, linear light
+  texmap::Image image;  ///< float RGB, linear light; of the crop where there is one
   Statistics statistics;
   scene::Ledger ledger;
 };
