@@ -68,9 +68,9 @@ struct Level {
 
 /// A node, by its place.
 struct Place {
-  std::uint32_t level = 0;
-  std::uint32_t x = 0;
-  std::uint32_t y = 0;
+  std::uint32_t level;
+  std::uint32_t x;
+  std::uint32_t y;
 };
 
 /// The implicit hierarchy over a mesh: boxes, and the few numbers that tell what they bound. The vertices stay

@@ -134,7 +134,7 @@ void set_lane_offsets(LeafGrid& grid) {
   }
 }
 
-void add_grid(BoxTree& tree, const scene::MeshView& mesh, LeafGrid grid) {
+void add_grid(BoxTree& tree, const scene::MeshView& mesh, LeafGrid grid, std::uint32_t most_entries) {
   const LeafShape shape = kLeafShapes[grid.shape];
   set_lane_offsets(grid);
   const LeafShape leaves = {blocks_for(grid.columns, shape.columns), blocks_for(grid.rows, shape.rows)};
@@ -144,7 +144,7 @@ void add_grid(BoxTree& tree, const scene::MeshView& mesh, LeafGrid grid) {
   tree.levels.back().grid = static_cast<std::uint32_t>(tree.grids.size());
   tree.grids.push_back(grid);
   set_leaf_boxes(tree, mesh, grid, leaves);
-  while (std::uint64_t{tree.levels.back().columns} * tree.levels.back().rows > kMostEntries) {
+  while (std::uint64_t{tree.levels.back().columns} * tree.levels.back().rows > most_entries) {
     child.columns <<= log_columns;
     child.rows <<= 4 - log_columns;
     const Level& below = tree.levels.back();
@@ -229,13 +229,15 @@ BoxTree build_box_tree(const scene::MeshView& mesh) {
   const auto take_loose = [&](std::uint32_t from, std::uint32_t end) {
     for (std::uint32_t t = from; t < end; ++t) tree.loose.push_back(t);
   };
+  const auto patches = static_cast<std::uint32_t>(mesh.patches.size());
+  const std::uint32_t most_entries = std::max(kMostEntries / std::max(patches, 1u), 3u);
   std::uint32_t next = 0;
   for (const sweep::GridPatch& patch : mesh.patches) {
     LeafGrid grid;
     if (!has_grid(mesh, patch, grid)) continue;
     take_loose(next, grid.first_triangle);
     next = grid.first_triangle + 2 * grid.columns * grid.rows;
-    add_grid(tree, mesh, grid);
+    add_grid(tree, mesh, grid, most_entries);
   }
   take_loose(next, static_cast<std::uint32_t>(mesh.triangles.size()));
 

@@ -24,10 +24,12 @@ struct CullingRay {
   float inverse[3];
   float near_shift[3];
   float far_shift[3];
-  // Sheared to the z axis: x = across[0] . (p - origin) + correction[0], y likewise.
+  // Sheared to the axis axes[2]: x = p[axes[0]] - origin[0] + lost[0] + shear[0] * (p[axes[2]] - origin[2]), y
+  // likewise; `lost` is what rounding took from the origin.
+  int axes[3];
   float origin[3];
-  float across[2][3];
-  float correction[2];
+  float lost[2];
+  float shear[2];
   float shear_error;  ///< of x and y, for the points of the mesh
   // From t of the ray to t here.
   double scale = 1;
@@ -84,15 +86,19 @@ inline Reach reach(const Ray& ray, const ShearedRay& sheared, const BoxTree& tre
     out.inverse[axis] = static_cast<float>(slope);
     out.near_shift[axis] = static_cast<float>(-(origin[axis] + outwards) * slope);
     out.far_shift[axis] = static_cast<float>(-(origin[axis] - outwards) * slope);
-    out.origin[axis] = static_cast<float>(origin[axis]);
-    out.across[0][axis] = axis == sheared.x() ? 1.0F : 0.0F;
-    out.across[1][axis] = axis == sheared.y() ? 1.0F : 0.0F;
   }
-  out.across[0][sheared.z()] = static_cast<float>(-sheared.shear_x());
-  out.across[1][sheared.z()] = static_cast<float>(-sheared.shear_y());
-  const glm::dvec3 lost = origin - glm::dvec3(out.origin[0], out.origin[1], out.origin[2]);
-  out.correction[0] = static_cast<float>(-(lost[sheared.x()] - sheared.shear_x() * lost[sheared.z()]));
-  out.correction[1] = static_cast<float>(-(lost[sheared.y()] - sheared.shear_y() * lost[sheared.z()]));
+  const int axes[3] = {sheared.x(), sheared.y(), sheared.z()};
+  const double shears[2] = {sheared.shear_x(), sheared.shear_y()};
+  double lost[3];
+  for (int k = 0; k < 3; ++k) {
+    out.axes[k] = axes[k];
+    out.origin[k] = static_cast<float>(origin[axes[k]]);
+    lost[k] = static_cast<double>(out.origin[k]) - origin[axes[k]];
+  }
+  for (int k = 0; k < 2; ++k) {
+    out.shear[k] = static_cast<float>(-shears[k]);
+    out.lost[k] = static_cast<float>(lost[k] - shears[k] * lost[2]);
+  }
   out.shear_error = static_cast<float>(10 * kFloatRounding * tree.extent + error);
   out.scale = largest;
   out.start = enter;

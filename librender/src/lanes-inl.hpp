@@ -13,7 +13,10 @@
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace sweepkit::render::HWY_NAMESPACE {
@@ -99,10 +102,26 @@ HWY_INLINE Lanes max(const Lanes& a, const Lanes& b) {
   return out;
 }
 
+HWY_INLINE Lanes operator/(const Lanes& a, const Lanes& b) {
+  Lanes out;
+  for (std::size_t k = 0; k < kParts; ++k) out.part[k] = hn::Div(a.part[k], b.part[k]);
+  return out;
+}
+
+/// The greatest of all.
+HWY_INLINE float greatest(const Lanes& lanes) {
+  auto part = lanes.part[0];
+  for (std::size_t k = 1; k < kParts; ++k) part = hn::Max(part, lanes.part[k]);
+  return hn::GetLane(hn::MaxOfLanes(FloatTag(), part));
+}
+
 HWY_INLINE std::uint32_t bits_of(hn::Mask<FloatTag> mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(FloatTag(), mask, bytes);
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+  alignas(8) std::uint8_t bytes[8];
+  const std::size_t count = hn::StoreMaskBits(FloatTag(), mask, bytes);
+  if (count < 2) return bytes[0];
+  std::uint16_t bits;
+  std::memcpy(&bits, bytes, sizeof bits);  // x86, ARM and WebAssembly: the low byte comes first
+  return bits;
 }
 
 /// Bit by lane: is a <= b? NaN is not.
@@ -119,6 +138,46 @@ HWY_INLINE std::uint32_t less_and_greater(const Lanes& a, const Lanes& b, const 
     bits |= bits_of(hn::And(hn::Lt(a.part[k], b.part[k]), hn::Gt(c.part[k], d.part[k]))) << (k * kPartLanes);
   }
   return bits;
+}
+
+/// For every lane of `bits` the bits of its float, the last four of them replaced by the lane; packed.
+HWY_INLINE std::uint32_t pack_keys(const Lanes& lanes, std::uint32_t bits, std::uint32_t keys[16]) {
+#if HWY_MAX_BYTES == 64
+  const hn::RebindToUnsigned<FloatTag> integers;
+  const auto packed = static_cast<std::uint16_t>(bits);
+  const auto mask = hn::LoadMaskBits(integers, reinterpret_cast<const std::uint8_t*>(&packed));
+  const auto all = hn::Or(hn::AndNot(hn::Set(integers, 15u), hn::BitCast(integers, lanes.part[0])),
+                          hn::Iota(integers, 0));
+  hn::Store(hn::Compress(all, mask), integers, keys);
+  return static_cast<std::uint32_t>(std::popcount(bits));
+#else
+  alignas(64) float values[16];
+  store(lanes, values);
+  std::uint32_t count = 0;
+  for (; bits != 0; bits &= bits - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+    keys[count++] = (std::bit_cast<std::uint32_t>(values[lane]) & ~15u) | lane;
+  }
+  return count;
+#endif
+}
+
+/// Lane k + kStep in lane k; what comes after the last is of no use.
+template <std::uint32_t kStep>
+HWY_INLINE Lanes later(const Lanes& lanes) {
+#if HWY_MAX_BYTES == 64
+  alignas(64) static constexpr auto kFrom = [] {
+    std::array<std::int32_t, 16> from{};
+    for (std::uint32_t k = 0; k < 16; ++k) from[k] = static_cast<std::int32_t>((k + kStep) % 16);
+    return from;
+  }();
+  return {{hn::TableLookupLanes(lanes.part[0], hn::SetTableIndices(FloatTag(), kFrom.data()))}};
+#else
+  alignas(64) float buffer[32];
+  store(lanes, buffer);
+  store(lanes, buffer + 16);
+  return load(buffer + kStep);
+#endif
 }
 
 }  // namespace sweepkit::render::HWY_NAMESPACE

@@ -18,6 +18,7 @@
 #include "box_tree.hpp"
 #include "culling_ray.hpp"
 #include "lanes-inl.hpp"
+#include "leaf_vertices-inl.hpp"
 #include "sweep_kernels.hpp"
 #include "sweepkit/sweep/grid_patch.hpp"
 
@@ -72,9 +73,9 @@ inline constexpr std::array<std::uint32_t, kLeafShapes.size()> kCellLanes = [] {
 /// An edge function further from 0 than this has the sign of the exact one, for the triangles that the ray
 /// meets: their vertices lie no further from it than the box is large. 8 e m for the errors e of both
 /// vertices' x and y, 2 e^2 for their products; rounding the products is within the first.
-HWY_INLINE float edge_error(const CullingRay& ray, float extent) {
-  const float farthest = extent + 2 * ray.shear_error;
-  return ray.shear_error * (8 * farthest + 2 * ray.shear_error);
+HWY_INLINE float edge_error(float shear_error, float extent) {
+  const float farthest = extent + 2 * shear_error;
+  return shear_error * (8 * farthest + 2 * shear_error);
 }
 
 struct Sheared {
@@ -82,17 +83,10 @@ struct Sheared {
   Lanes y;
 };
 
-HWY_INLINE Sheared shear(const Lanes& x, const Lanes& y, const Lanes& z, const CullingRay& ray) {
-  const Lanes dx = x - set(ray.origin[0]);
-  const Lanes dy = y - set(ray.origin[1]);
-  const Lanes dz = z - set(ray.origin[2]);
-  Lanes sheared[2];
-  for (int k = 0; k < 2; ++k) {
-    sheared[k] = multiply_add(dx, set(ray.across[k][0]), set(ray.correction[k]));
-    sheared[k] = multiply_add(dy, set(ray.across[k][1]), sheared[k]);
-    sheared[k] = multiply_add(dz, set(ray.across[k][2]), sheared[k]);
-  }
-  return {sheared[0], sheared[1]};
+HWY_INLINE Sheared shear(const Lanes p[3], const CullingRay& ray) {
+  const Lanes z = p[2] - set(ray.origin[2]);
+  return {multiply_add(z, set(ray.shear[0]), p[0] - set(ray.origin[0]) + set(ray.lost[0])),
+          multiply_add(z, set(ray.shear[1]), p[1] - set(ray.origin[1]) + set(ray.lost[1]))};
 }
 
 /// The edge function of the edge from a to b.
@@ -103,32 +97,46 @@ HWY_INLINE std::uint32_t may_agree(const Lanes& u, const Lanes& v, const Lanes& 
   return ~less_and_greater(min(min(u, v), w), set(-error), max(max(u, v), w), set(error));
 }
 
-/// Lane k + `step` in lane k; what is shifted in at the end is of no use.
-HWY_INLINE Lanes later(const Lanes& lanes, std::uint32_t step) {
-  alignas(64) float buffer[2 * kWidth];
-  store(lanes, buffer);
-  store(lanes, buffer + kWidth);
-  return load(buffer + step);
+/// The triangles of a block whose vertices are `p`, a row of them `kRow` long.
+template <std::uint32_t kRow>
+HWY_INLINE std::uint32_t cell_triangles_near(const Sheared& p, std::uint32_t cells, float error) {
+  const Sheared q = {later<1>(p.x), later<1>(p.y)};
+  const Sheared r = {later<kRow>(p.x), later<kRow>(p.y)};
+  const Lanes pq = edge(p, q);
+  const Lanes rp = edge(r, p);
+  const Lanes qr = edge(q, r);
+  const std::uint32_t lower = may_agree(pq, rp, qr, error);
+  // (Q, S, R) turned round, as (R, S, Q): the same signs, all of them other.
+  const std::uint32_t upper = may_agree(later<kRow>(pq), later<1>(rp), qr, error);
+  return (lower & cells) | (upper & cells) << 16;
+}
+
+template <std::uint32_t kColumns, std::uint32_t kRows>
+HWY_INLINE std::uint32_t block_triangles_near(const float* from, const LeafGrid& grid, const CullingRay& ray,
+                                              float extent) {
+  Lanes vertices[3];
+  load_vertices<kColumns, kRows>(from, grid, ray.axes, vertices);
+  return cell_triangles_near<kColumns + 1>(shear(vertices, ray), kCellLanes[grid.shape],
+                                           edge_error(ray.shear_error, extent));
 }
 
 HWY_INLINE std::uint32_t triangles_near(const TreeView& view, const LeafGrid& grid, const GridLeaf& leaf,
                                         const CullingRay& ray, float extent) {
   const float* from =
       &view.mesh->positions[grid.first_vertex + std::size_t{leaf.row} * grid.stride + leaf.column].x;
-  const std::int32_t* offsets = grid.offsets.data();
-  const std::uint32_t row = kLeafShapes[grid.shape].columns + 1;
-  const Sheared p = shear(gather(from, offsets), gather(from + 1, offsets), gather(from + 2, offsets), ray);
-  const Sheared q = {later(p.x, 1), later(p.y, 1)};
-  const Sheared r = {later(p.x, row), later(p.y, row)};
-  const Lanes pq = edge(p, q);
-  const Lanes rp = edge(r, p);
-  const Lanes qr = edge(q, r);
-  const float error = edge_error(ray, extent);
-  const std::uint32_t lower = may_agree(pq, rp, qr, error);
-  // (Q, S, R) turned round, as (R, S, Q): the same signs, all of them other.
-  const std::uint32_t upper = may_agree(later(pq, row), later(rp, 1), qr, error);
-  const std::uint32_t cells = kCellLanes[grid.shape];
-  return (lower & cells) | (upper & cells) << 16;
+  static_assert(kLeafShapes.size() == 5);
+  switch (grid.shape) {
+    case 0:
+      return block_triangles_near<kLeafShapes[0].columns, kLeafShapes[0].rows>(from, grid, ray, extent);
+    case 1:
+      return block_triangles_near<kLeafShapes[1].columns, kLeafShapes[1].rows>(from, grid, ray, extent);
+    case 2:
+      return block_triangles_near<kLeafShapes[2].columns, kLeafShapes[2].rows>(from, grid, ray, extent);
+    case 3:
+      return block_triangles_near<kLeafShapes[3].columns, kLeafShapes[3].rows>(from, grid, ray, extent);
+    default:
+      return block_triangles_near<kLeafShapes[4].columns, kLeafShapes[4].rows>(from, grid, ray, extent);
+  }
 }
 
 HWY_INLINE std::uint32_t loose_triangles_near(const TreeView& view, std::uint32_t leaf, const CullingRay& ray,
@@ -136,19 +144,21 @@ HWY_INLINE std::uint32_t loose_triangles_near(const TreeView& view, std::uint32_
   const std::vector<std::uint32_t>& loose = view.tree->loose;
   const std::size_t first = std::size_t{kWidth} * leaf;
   const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(kWidth, loose.size() - first));
-  alignas(64) float vertices[3][3][kWidth];
+  alignas(64) float vertices[3][3][kWidth];  // by corner and sheared axis
   for (std::uint32_t lane = 0; lane < kWidth; ++lane) {
     const sweep::Triangle& triangle = view.mesh->triangles[loose[first + std::min(lane, count - 1)]];
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const glm::vec3& p = view.mesh->positions[triangle[corner]];
-      for (glm::length_t axis = 0; axis < 3; ++axis) vertices[corner][axis][lane] = p[axis];
+      for (std::size_t k = 0; k < 3; ++k) vertices[corner][k][lane] = p[ray.axes[k]];
     }
   }
   Sheared corners[3];
-  for (std::size_t k = 0; k < 3; ++k)
-    corners[k] = shear(load(vertices[k][0]), load(vertices[k][1]), load(vertices[k][2]), ray);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Lanes loaded[3] = {load(vertices[k][0]), load(vertices[k][1]), load(vertices[k][2])};
+    corners[k] = shear(loaded, ray);
+  }
   const std::uint32_t near = may_agree(edge(corners[0], corners[1]), edge(corners[1], corners[2]),
-                                       edge(corners[2], corners[0]), edge_error(ray, extent));
+                                       edge(corners[2], corners[0]), edge_error(ray.shear_error, extent));
   return near & ((1u << count) - 1);
 }
 

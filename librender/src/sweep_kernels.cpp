@@ -13,6 +13,7 @@
 // Behind the above, which includes this file once an instruction set.
 #include <hwy/highway.h>
 
+#include "packet_search-inl.hpp"
 #include "sweep_search-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -27,34 +27,42 @@ namespace sweepkit::render::HWY_NAMESPACE {
 /// float at least 0 (which order as the numbers do), its last four bits the child's index.
 struct Children {
   std::uint32_t count;
-  std::uint32_t keys[kWidth];
+  alignas(64) std::uint32_t keys[kWidth];
 };
 
 HWY_INLINE float entry_of(std::uint32_t key) { return std::bit_cast<float>(key & ~15u); }
 
-/// The children whose boxes the ray passes between 0 and `limit`.
-HWY_INLINE void enter(const BoxNode& node, const CullingRay& ray, float limit, Children& children) {
+/// Puts keys[count] where it belongs among those before it.
+HWY_INLINE void sort_in(std::uint32_t* keys, std::uint32_t count) {
+  const std::uint32_t key = keys[count];
+  std::uint32_t at = count;
+  for (; at > 0 && keys[at - 1] > key; --at) keys[at] = keys[at - 1];
+  keys[at] = key;
+}
+
+/// The children whose boxes the ray passes between 0 and `limit`, by lane.
+HWY_INLINE std::uint32_t passed(const BoxNode& node, const CullingRay& ray, float limit, Lanes& enter) {
   const float* planes = node.low[0];
-  Lanes enter = set(0.0F);
+  enter = set(0.0F);
   Lanes leave = set(limit);
   for (int axis = 0; axis < 3; ++axis) {
     const Lanes inverse = set(ray.inverse[axis]);
     enter = max(multiply_add(load(planes + ray.near_plane[axis]), inverse, set(ray.near_shift[axis])), enter);
     leave = min(multiply_add(load(planes + ray.far_plane[axis]), inverse, set(ray.far_shift[axis])), leave);
   }
-  std::uint32_t bits = less_equal(enter, leave);
-  children.count = 0;
-  if (bits == 0) return;
-  alignas(64) float entries[kWidth];
-  store(enter, entries);
-  do {
-    const auto child = static_cast<std::uint32_t>(std::countr_zero(bits));
-    bits &= bits - 1;
-    const std::uint32_t key = (std::bit_cast<std::uint32_t>(entries[child]) & ~15u) | child;
-    std::uint32_t at = children.count++;
-    for (; at > 0 && children.keys[at - 1] > key; --at) children.keys[at] = children.keys[at - 1];
-    children.keys[at] = key;
-  } while (bits != 0);
+  return less_equal(enter, leave);
+}
+
+HWY_INLINE void sort_children(std::uint32_t bits, const Lanes& enter, Children& children) {
+  children.count = pack_keys(enter, bits, children.keys);
+  if (children.count == 2) {
+    const std::uint32_t a = children.keys[0];
+    const std::uint32_t b = children.keys[1];
+    children.keys[0] = std::min(a, b);
+    children.keys[1] = std::max(a, b);
+    return;
+  }
+  for (std::uint32_t i = 1; i < children.count; ++i) sort_in(children.keys, i);
 }
 
 /// Width, height and depth of a child's box together.
@@ -131,50 +139,86 @@ struct Waiting {
   Place place;
 };
 
-// A node leaves at most 15 children waiting; there are at most 8 levels of 16 over 2^32 leaves, and as many
-// over the entries.
-inline constexpr std::size_t kMostWaiting = 16 * 16;
+// Of the roots at most 48 children wait, and of a node 15 while one is looked at; there are at most 8 levels
+// of 16 over 2^32 leaves, and as many over the entries.
+inline constexpr std::size_t kMostWaiting = 48 + 16 * 16;
 
+/// What a search through the tree asks of a ray.
 template <class Search>
-HWY_INLINE void search_tree(const TreeView& view, const Ray& ray, const ShearedRay& sheared,
-                            const CullingRay& culling, Search& search) {
-  const BoxTree& tree = *view.tree;
+struct RayVisitor {
+  const TreeView& view;
+  const Ray& ray;
+  const ShearedRay& sheared;
+  const CullingRay& culling;
+  Search& search;
+  bool is_done = false;
+
+  HWY_INLINE float limit() const { return culling.limit(search.end()); }
+  HWY_INLINE std::uint32_t passed_children(const BoxNode& node, float limit, Lanes& enter) const {
+    return passed(node, culling, limit, enter);
+  }
+  HWY_INLINE bool visit_leaf(const Level& level, const BoxNode& node, std::uint32_t child, std::uint32_t x,
+                             std::uint32_t y) {
+    is_done = search_leaf(view, level, x, y, extent_of(node, child), ray, sheared, culling, search);
+    return true;
+  }
+  HWY_INLINE bool is_over() const { return Search::kEndsAtFirst && is_done; }
+};
+
+template <class Visitor>
+HWY_INLINE void search_tree(const BoxTree& tree, Visitor& visitor) {
   const Level* const levels = tree.levels.data();
   Waiting waiting[kMostWaiting];
   std::size_t count = 0;
-  const auto roots = static_cast<std::uint32_t>(tree.levels.size() - 1);
-  for (std::uint32_t root = levels[roots].columns; root-- > 1;) waiting[count++] = {0, {roots, root, 0}};
-  Place at = {roots, 0, 0};
-  float limit = culling.limit(search.end());
-  while (true) {
-    const Level& level = levels[at.level];
-    const BoxNode& node = tree.nodes[level.first_node + at.y * level.columns + at.x];
+  float limit = visitor.limit();
+  const auto push = [&](const Level& level, const Place& at, std::uint32_t key) HWY_ATTR {
+    const std::uint32_t child = key & 15;
+    waiting[count++] = {key, level.children == Level::Children::kEntries
+                                 ? tree.entries[kWidth * at.x + child]
+                                 : Place{at.level - 1, level.child_x(at.x, child), level.child_y(at.y, child)}};
+  };
+
+  // All roots first: they do not wait for each other.
+  const auto top = static_cast<std::uint32_t>(tree.levels.size() - 1);
+  for (std::uint32_t x = 0; x < levels[top].columns; ++x) {
+    Lanes enter;
+    const std::uint32_t bits = visitor.passed_children(tree.nodes[levels[top].first_node + x], limit, enter);
+    if (bits == 0) continue;
     Children children;
-    enter(node, culling, limit, children);
-    if (level.children == Level::Children::kGridLeaves || level.children == Level::Children::kLooseLeaves) {
-      for (std::uint32_t i = 0; i < children.count && entry_of(children.keys[i]) <= limit; ++i) {
-        const std::uint32_t child = children.keys[i] & 15;
-        if (search_leaf(view, level, level.child_x(at.x, child), level.child_y(at.y, child),
-                        extent_of(node, child), ray, sheared, culling, search)) {
-          return;
-        }
-        limit = culling.limit(search.end());
-      }
-    } else if (children.count > 0) {
-      for (std::uint32_t i = children.count; i-- > 0;) {
-        const std::uint32_t child = children.keys[i] & 15;
-        Waiting& next = waiting[count++];
-        next.key = children.keys[i];
-        next.place = level.children == Level::Children::kEntries
-                         ? tree.entries[kWidth * at.x + child]
-                         : Place{at.level - 1, level.child_x(at.x, child), level.child_y(at.y, child)};
-      }
+    children.count = pack_keys(enter, bits, children.keys);
+    for (std::uint32_t i = 0; i < children.count; ++i) {
+      push(levels[top], {top, x, 0}, children.keys[i]);
+      // The nearest comes last.
+      const Waiting last = waiting[count - 1];
+      std::size_t k = count - 1;
+      for (; k > 0 && waiting[k - 1].key < last.key; --k) waiting[k] = waiting[k - 1];
+      waiting[k] = last;
     }
+  }
+  while (true) {
     do {
       if (count == 0) return;
       --count;
     } while (entry_of(waiting[count].key) > limit);
-    at = waiting[count].place;
+    const Place at = waiting[count].place;
+    const Level& level = levels[at.level];
+    const BoxNode& node = tree.nodes[level.first_node + at.y * level.columns + at.x];
+    Lanes enter;
+    const std::uint32_t bits = visitor.passed_children(node, limit, enter);
+    if (bits == 0) continue;
+    Children children;
+    sort_children(bits, enter, children);
+    if (level.children == Level::Children::kGridLeaves || level.children == Level::Children::kLooseLeaves) {
+      for (std::uint32_t i = 0; i < children.count && entry_of(children.keys[i]) <= limit; ++i) {
+        const std::uint32_t child = children.keys[i] & 15;
+        if (!visitor.visit_leaf(level, node, child, level.child_x(at.x, child), level.child_y(at.y, child)))
+          continue;
+        if (visitor.is_over()) return;
+        limit = visitor.limit();
+      }
+    } else {
+      for (std::uint32_t i = children.count; i-- > 0;) push(level, at, children.keys[i]);
+    }
   }
 }
 
@@ -190,11 +234,8 @@ inline void find_nearest(const TreeView& view, const Ray& ray, Hit& best) {
       break;
   }
   NearestSearch search{best};
-  search_tree(view, ray, sheared, culling, search);
-}
-
-inline void find_nearest_packet(const TreeView& view, std::span<const Ray> rays, std::span<Hit> best) {
-  for (std::size_t i = 0; i < rays.size(); ++i) find_nearest(view, rays[i], best[i]);
+  RayVisitor<NearestSearch> visitor{view, ray, sheared, culling, search};
+  search_tree(*view.tree, visitor);
 }
 
 inline bool is_blocked(const TreeView& view, const Ray& ray, double end) {
@@ -209,7 +250,8 @@ inline bool is_blocked(const TreeView& view, const Ray& ray, double end) {
       break;
   }
   AnySearch search{end};
-  search_tree(view, ray, sheared, culling, search);
+  RayVisitor<AnySearch> visitor{view, ray, sheared, culling, search};
+  search_tree(*view.tree, visitor);
   return search.is_found;
 }
 

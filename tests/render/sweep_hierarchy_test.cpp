@@ -223,5 +223,42 @@ TEST(SweepHierarchy, FindsTheSameHitsAsALinearScanToTheBit) {
   }
 }
 
+// Bundles of rays of one origin, from a hair to wider than a packet may be; the middle one is hard.
+TEST(SweepHierarchy, APacketFindsTheSameHitsAsItsRaysAloneToTheBit) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> real(-1, 1);
+  for (const Shape& shape : crowd()) {
+    const scene::MeshView mesh = shape.view();
+    const LinearScan linear(mesh);
+    const SweepHierarchy hierarchy(mesh);
+    int n = 0;
+    for (const Ray& middle : hard_rays(shape, 600)) {
+      SCOPED_TRACE(shape.name + ", packet " + std::to_string(n++));
+      const double width = glm::length(middle.direction) * std::pow(10, -4 * (0.5 + 0.5 * real(random)));
+      std::vector<Ray> rays(1 + random() % 18, middle);
+      for (std::size_t i = 1; i < rays.size(); ++i) {
+        rays[i].direction += width * glm::dvec3(real(random), real(random), real(random));
+        if (i % 5 == 1) rays[i].direction[n % 3] = i % 2 == 0 ? 0.0 : -0.0;
+        if (i % 7 == 2) rays[i].direction *= std::abs(real(random)) + 1e-3;
+      }
+      // Some have been stopped before, nearer or farther, by another object.
+      std::vector<Hit> best(rays.size());
+      if (n % 3 == 0) {
+        for (std::size_t i = 0; i < best.size(); i += 2) {
+          best[i].t = std::abs(real(random));
+          best[i].object = i % 4 == 0 ? 3 : 8;
+        }
+      }
+      std::vector<Hit> expected = best;
+      linear.find_nearest(rays, 7, expected);
+      hierarchy.find_nearest(rays, 7, best);
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        SCOPED_TRACE("ray " + std::to_string(i));
+        ASSERT_NO_FATAL_FAILURE(expect_same(best[i], expected[i]));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sweepkit::render
