@@ -13,6 +13,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -108,6 +109,12 @@ HWY_INLINE Lanes operator/(const Lanes& a, const Lanes& b) {
   return out;
 }
 
+HWY_INLINE Lanes copy_sign(const Lanes& size, const Lanes& sign) {
+  Lanes out;
+  for (std::size_t k = 0; k < kParts; ++k) out.part[k] = hn::CopySign(size.part[k], sign.part[k]);
+  return out;
+}
+
 /// The greatest of all.
 HWY_INLINE float greatest(const Lanes& lanes) {
   auto part = lanes.part[0];
@@ -140,7 +147,8 @@ HWY_INLINE std::uint32_t less_and_greater(const Lanes& a, const Lanes& b, const 
   return bits;
 }
 
-/// For every lane of `bits` the bits of its float, the last four of them replaced by the lane; packed.
+/// For every lane of `bits` the bits of its float, the last four of them replaced by the lane; packed, and at
+/// least the first four of the rest 0.
 HWY_INLINE std::uint32_t pack_keys(const Lanes& lanes, std::uint32_t bits, std::uint32_t keys[16]) {
 #if HWY_MAX_BYTES == 64
   const hn::RebindToUnsigned<FloatTag> integers;
@@ -148,11 +156,12 @@ HWY_INLINE std::uint32_t pack_keys(const Lanes& lanes, std::uint32_t bits, std::
   const auto mask = hn::LoadMaskBits(integers, reinterpret_cast<const std::uint8_t*>(&packed));
   const auto all = hn::Or(hn::AndNot(hn::Set(integers, 15u), hn::BitCast(integers, lanes.part[0])),
                           hn::Iota(integers, 0));
-  hn::Store(hn::Compress(all, mask), integers, keys);
+  hn::Store(hn::Compress(hn::IfThenElseZero(mask, all), mask), integers, keys);
   return static_cast<std::uint32_t>(std::popcount(bits));
 #else
   alignas(64) float values[16];
   store(lanes, values);
+  std::fill_n(keys, 4, 0);
   std::uint32_t count = 0;
   for (; bits != 0; bits &= bits - 1) {
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));

@@ -15,6 +15,8 @@
 #define SWEEPKIT_LEAF_TEST_INL
 #endif
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include "box_tree.hpp"
 #include "culling_ray.hpp"
 #include "lanes-inl.hpp"
@@ -33,9 +35,11 @@ struct GridLeaf {
 
 /// The last leaves of a row and column are moved back into the grid: then no lane is outside of it, and a
 /// triangle tested twice is found twice the same.
+template <std::uint32_t kShape>
 HWY_INLINE GridLeaf grid_leaf(const LeafGrid& grid, std::uint32_t x, std::uint32_t y) {
-  const auto [columns, rows] = kLeafShapes[grid.shape];
-  return {std::min(x * columns, grid.columns - columns), std::min(y * rows, grid.rows - rows)};
+  constexpr std::uint32_t kColumns = kLeafShapes[kShape].columns;
+  constexpr std::uint32_t kRows = kLeafShapes[kShape].rows;
+  return {std::min(x * kColumns, grid.columns - kColumns), std::min(y * kRows, grid.rows - kRows)};
 }
 
 struct LeafTriangle {
@@ -44,11 +48,12 @@ struct LeafTriangle {
 };
 
 /// Bit `lane` is the triangle (R, P, Q) of the cell at lane's vertex, bit 16 + lane its (Q, S, R).
+template <std::uint32_t kShape>
 HWY_INLINE LeafTriangle triangle_of(const LeafGrid& grid, const GridLeaf& leaf, std::uint32_t bit) {
   const std::uint32_t lane = bit & 15;
-  const std::uint32_t wide = kLeafShapes[grid.shape].columns + 1;
-  const std::uint32_t i = leaf.column + lane % wide;
-  const std::uint32_t j = leaf.row + lane / wide;
+  constexpr std::uint32_t kWide = kLeafShapes[kShape].columns + 1;
+  const std::uint32_t i = leaf.column + lane % kWide;
+  const std::uint32_t j = leaf.row + lane / kWide;
   const std::uint32_t p = grid.first_vertex + j * grid.stride + i;
   const std::uint32_t r = p + grid.stride;
   const std::uint32_t index = grid.first_triangle + 2 * (j * grid.columns + i);
@@ -111,32 +116,19 @@ HWY_INLINE std::uint32_t cell_triangles_near(const Sheared& p, std::uint32_t cel
   return (lower & cells) | (upper & cells) << 16;
 }
 
-template <std::uint32_t kColumns, std::uint32_t kRows>
-HWY_INLINE std::uint32_t block_triangles_near(const float* from, const LeafGrid& grid, const CullingRay& ray,
-                                              float extent) {
-  Lanes vertices[3];
-  load_vertices<kColumns, kRows>(from, grid, ray.axes, vertices);
-  return cell_triangles_near<kColumns + 1>(shear(vertices, ray), kCellLanes[grid.shape],
-                                           edge_error(ray.shear_error, extent));
+/// The first vertex of a leaf.
+HWY_INLINE const float* leaf_start(const TreeView& view, const LeafGrid& grid, const GridLeaf& leaf) {
+  return &view.mesh->positions[grid.first_vertex + std::size_t{leaf.row} * grid.stride + leaf.column].x;
 }
 
+template <std::uint32_t kShape>
 HWY_INLINE std::uint32_t triangles_near(const TreeView& view, const LeafGrid& grid, const GridLeaf& leaf,
                                         const CullingRay& ray, float extent) {
-  const float* from =
-      &view.mesh->positions[grid.first_vertex + std::size_t{leaf.row} * grid.stride + leaf.column].x;
-  static_assert(kLeafShapes.size() == 5);
-  switch (grid.shape) {
-    case 0:
-      return block_triangles_near<kLeafShapes[0].columns, kLeafShapes[0].rows>(from, grid, ray, extent);
-    case 1:
-      return block_triangles_near<kLeafShapes[1].columns, kLeafShapes[1].rows>(from, grid, ray, extent);
-    case 2:
-      return block_triangles_near<kLeafShapes[2].columns, kLeafShapes[2].rows>(from, grid, ray, extent);
-    case 3:
-      return block_triangles_near<kLeafShapes[3].columns, kLeafShapes[3].rows>(from, grid, ray, extent);
-    default:
-      return block_triangles_near<kLeafShapes[4].columns, kLeafShapes[4].rows>(from, grid, ray, extent);
-  }
+  constexpr LeafShape kBlock = kLeafShapes[kShape];
+  Lanes vertices[3];
+  load_vertices<kBlock.columns, kBlock.rows>(leaf_start(view, grid, leaf), grid, ray.axes, vertices);
+  return cell_triangles_near<kBlock.columns + 1>(shear(vertices, ray), kCellLanes[kShape],
+                                                 edge_error(ray.shear_error, extent));
 }
 
 HWY_INLINE std::uint32_t loose_triangles_near(const TreeView& view, std::uint32_t leaf, const CullingRay& ray,
@@ -148,7 +140,7 @@ HWY_INLINE std::uint32_t loose_triangles_near(const TreeView& view, std::uint32_
   for (std::uint32_t lane = 0; lane < kWidth; ++lane) {
     const sweep::Triangle& triangle = view.mesh->triangles[loose[first + std::min(lane, count - 1)]];
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const glm::vec3& p = view.mesh->positions[triangle[corner]];
+      const float* const p = glm::value_ptr(view.mesh->positions[triangle[corner]]);
       for (std::size_t k = 0; k < 3; ++k) vertices[corner][k][lane] = p[ray.axes[k]];
     }
   }

@@ -14,7 +14,8 @@
 #define SWEEPKIT_PACKET_SEARCH_INL
 #endif
 
-#include <optional>
+#include <cstddef>
+#include <memory>
 
 #include "sweep_search-inl.hpp"
 
@@ -51,7 +52,7 @@ struct Packet {
 };
 
 // Rays that go apart more than this, z for z, are better off alone.
-inline constexpr double kWidestPacket = 0.25;
+inline constexpr float kWidestPacket = 0.25F;
 // An origin so far away, in units of the mesh's reach, that float32 hides too much of the mesh.
 inline constexpr double kFarthestOrigin = 16;
 
@@ -69,27 +70,36 @@ HWY_INLINE bool make_packet(const TreeView& view, std::span<const Ray> rays, std
   if (!(farthest <= kFarthestOrigin * tree.reach)) return false;
   const double sense = middle[z] < 0 ? -1 : 1;
 
-  double low[2] = {kNoEnd, kNoEnd};
-  double high[2] = {-kNoEnd, -kNoEnd};
   packet.count = static_cast<std::uint32_t>(rays.size());
-  packet.slack = 0;
-  for (std::uint32_t i = 0; i < packet.count; ++i) {
-    const glm::dvec3& d = rays[i].direction;
-    const double length = sense * d[z];
-    const double slopes[2] = {d[x] / length, d[y] / length};
-    // NaN, and what lies more across z than twice along it, or against it.
-    if (!(length > 0x1p-300 && length < 0x1p300 && std::abs(slopes[0]) <= 2 && std::abs(slopes[1]) <= 2))
-      return false;
-    packet.lengths[i] = length;
-    for (int k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], slopes[k]);
-      high[k] = std::max(high[k], slopes[k]);
-      packet.slopes[k][i] = static_cast<float>(slopes[k]);
-      packet.inverses[k][i] =
-          1 / std::copysign(std::max(std::abs(packet.slopes[k][i]), 0x1p-23F), packet.slopes[k][i]);
-    }
+  alignas(64) float directions[3][kWidth];
+  double largest = 0;
+  for (std::uint32_t i = 0; i < kWidth; ++i) {
+    const double* const d = glm::value_ptr(rays[i < packet.count ? i : 0].direction);  // operator[] branches
+    largest = std::max({largest, std::abs(d[x]), std::abs(d[y]), std::abs(d[z])});
+    directions[0][i] = static_cast<float>(d[x]);
+    directions[1][i] = static_cast<float>(d[y]);
+    directions[2][i] = static_cast<float>(sense * d[z]);
+    packet.lengths[i] = sense * d[z];
   }
-  if (high[0] - low[0] > kWidestPacket || high[1] - low[1] > kWidestPacket) return false;
+  const Lanes lengths = load(directions[2]);
+  std::uint32_t are_good = less_equal(set(0x1p-60F), lengths) & less_equal(lengths, set(0x1p60F));
+  float low[2];
+  float high[2];
+  for (int k = 0; k < 2; ++k) {
+    const Lanes slopes = load(directions[k]) / lengths;
+    const Lanes sizes = max(slopes, set(0) - slopes);
+    // What lies more across z than twice along it is not good, nor what is no number.
+    are_good &= less_equal(sizes, set(2));
+    store(slopes, packet.slopes[k]);
+    // A slope of less than 2u is as good as one of 2u: it moves nothing by more than the boxes are enlarged.
+    store(copy_sign(set(1) / max(sizes, set(0x1p-23F)), slopes), packet.inverses[k]);
+    low[k] = -greatest(set(0) - slopes);
+    high[k] = greatest(slopes);
+  }
+  if (are_good != 0xFFFF || !(largest < 0x1p60) || high[0] - low[0] > kWidestPacket ||
+      high[1] - low[1] > kWidestPacket) {
+    return false;
+  }
 
   // As in reach(): 24u of where boxes and origin lie, and what double rounds; slopes up to 2.
   const double error = 0x1p-44 * (farthest + tree.reach);
@@ -117,10 +127,10 @@ HWY_INLINE bool make_packet(const TreeView& view, std::span<const Ray> rays, std
     // The corner farthest on the inner side of each plane.
     packet.z_plane[k][0] = low[k] >= 0 ? packet.z_near : packet.z_far;
     packet.z_plane[k][1] = high[k] >= 0 ? packet.z_far : packet.z_near;
-    const double slopes[2] = {low[k], high[k]};
+    const float slopes[2] = {low[k], high[k]};
     for (int side = 0; side < 2; ++side) {
-      packet.slope[k][side] = static_cast<float>(-slopes[side] * sense);
-      const double bound = origin[axis] - slopes[side] * sense * origin[z];
+      packet.slope[k][side] = -slopes[side] * packet.sense;
+      const double bound = origin[axis] + static_cast<double>(packet.slope[k][side]) * origin[z];
       packet.bound[k][side] = static_cast<float>(bound + (side == 0 ? -4 * moved : 4 * moved));
     }
   }
@@ -128,18 +138,8 @@ HWY_INLINE bool make_packet(const TreeView& view, std::span<const Ray> rays, std
   for (int axis = 0; axis < 3; ++axis)
     across += std::abs(origin[axis] - 0.5 * (tree.box.low[axis] + tree.box.high[axis]));
   packet.shear_error = static_cast<float>(20 * kFloatRounding * across + error);
-  for (std::uint32_t i = 0; i < kWidth; ++i) {
-    if (i < packet.count) {
-      packet.limits[i] = packet.limit(i, best[i].t);
-      continue;
-    }
-    // No ray: nothing is before its end.
-    packet.limits[i] = -1;
-    for (int k = 0; k < 2; ++k) {
-      packet.slopes[k][i] = packet.slopes[k][0];
-      packet.inverses[k][i] = packet.inverses[k][0];
-    }
-  }
+  // Where there is no ray nothing is before its end.
+  for (std::uint32_t i = 0; i < kWidth; ++i) packet.limits[i] = i < packet.count ? packet.limit(i, best[i].t) : -1;
   return true;
 }
 
@@ -179,97 +179,73 @@ HWY_INLINE std::uint32_t rays_through(const BoxNode& node, std::uint32_t child, 
   return less_equal(enter, leave);
 }
 
-/// The search's own memory of each ray.
-struct PacketRays {
+/// What a search through the tree asks of a packet: the same as of a ray.
+struct PacketVisitor {
+  const TreeView& view;
   std::span<const Ray> rays;
   std::span<Hit> best;
-  std::optional<ShearedRay> sheared[kWidth];
-};
+  Packet& packet;
+  std::uint32_t are_sheared = 0;  // bit by ray: only rays that come near a triangle are
+  alignas(ShearedRay) std::byte sheared[kWidth][sizeof(ShearedRay)];
 
-HWY_INLINE void test_ray(const TreeView& view, PacketRays& rays, std::uint32_t i, const LeafTriangle& triangle) {
-  if (!rays.sheared[i]) rays.sheared[i].emplace(rays.rays[i]);
-  NearestSearch search{rays.best[i]};
-  test(view, rays.rays[i], *rays.sheared[i], triangle, search);
-}
+  PacketVisitor(const TreeView& in, std::span<const Ray> some, std::span<Hit> hits, Packet& p)
+      : view(in), rays(some), best(hits), packet(p) {}
 
-template <std::uint32_t kColumns, std::uint32_t kRows>
-HWY_INLINE void search_block(const TreeView& view, const LeafGrid& grid, const GridLeaf& leaf, float extent,
-                             std::uint32_t active, const Packet& packet, PacketRays& rays) {
-  const float* from =
-      &view.mesh->positions[grid.first_vertex + std::size_t{leaf.row} * grid.stride + leaf.column].x;
-  Lanes p[3];
-  load_vertices<kColumns, kRows>(from, grid, packet.axes, p);
-  for (int k = 0; k < 3; ++k) p[k] = p[k] - set(packet.origin[k]) + set(packet.lost[k]);
-  p[2] = p[2] * set(packet.sense);
-  const float error = edge_error(packet.shear_error, 3 * extent);
-  for (; active != 0; active &= active - 1) {
-    const auto i = static_cast<std::uint32_t>(std::countr_zero(active));
-    const Sheared sheared = {multiply_add(p[2], set(-packet.slopes[0][i]), p[0]),
-                             multiply_add(p[2], set(-packet.slopes[1][i]), p[1])};
-    std::uint32_t bits = cell_triangles_near<kColumns + 1>(sheared, kCellLanes[grid.shape], error);
-    for (; bits != 0; bits &= bits - 1)
-      test_ray(view, rays, i, triangle_of(grid, leaf, static_cast<std::uint32_t>(std::countr_zero(bits))));
+  HWY_INLINE float limit() const { return greatest(load(packet.limits)); }
+  HWY_INLINE bool is_over() const { return false; }
+  HWY_INLINE std::uint32_t passed_children(const BoxNode& node, float limit, Lanes& enter) const {
+    return passed(node, packet, limit, enter);
   }
-}
-
-HWY_INLINE void search_leaf(const TreeView& view, const Level& level, std::uint32_t x, std::uint32_t y,
-                            float extent, std::uint32_t active, const Packet& packet, PacketRays& rays) {
-  const BoxTree& tree = *view.tree;
-  if (level.children == Level::Children::kLooseLeaves) {
+  HWY_INLINE bool visit_leaf(const Level& level, const BoxNode& node, std::uint32_t child, std::uint32_t x,
+                             std::uint32_t y) {
+    std::uint32_t active = rays_through(node, child, packet);
+    if (active == 0) return false;
+    bool is_found = false;
+    const BoxTree& tree = *view.tree;
+    if (level.children == Level::Children::kGridLeaves) {
+      const LeafGrid& grid = tree.grids[level.grid];
+      const float error = edge_error(packet.shear_error, 3 * extent_of(node, child));
+      with_shape(grid.shape, [&]<std::uint32_t kShape>() HWY_ATTR {
+        constexpr LeafShape kBlock = kLeafShapes[kShape];
+        const GridLeaf leaf = grid_leaf<kShape>(grid, x, y);
+        Lanes p[3];
+        load_vertices<kBlock.columns, kBlock.rows>(leaf_start(view, grid, leaf), grid, packet.axes, p);
+        for (int k = 0; k < 3; ++k) p[k] = p[k] - set(packet.origin[k]) + set(packet.lost[k]);
+        p[2] = p[2] * set(packet.sense);
+        for (; active != 0; active &= active - 1) {
+          const auto i = static_cast<std::uint32_t>(std::countr_zero(active));
+          const Sheared turned = {multiply_add(p[2], set(-packet.slopes[0][i]), p[0]),
+                                  multiply_add(p[2], set(-packet.slopes[1][i]), p[1])};
+          std::uint32_t bits = cell_triangles_near<kBlock.columns + 1>(turned, kCellLanes[kShape], error);
+          for (; bits != 0; bits &= bits - 1) {
+            const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
+            is_found |= take(i, triangle_of<kShape>(grid, leaf, bit));
+          }
+        }
+      });
+      return is_found;
+    }
     const std::size_t end = std::min(tree.loose.size(), std::size_t{kWidth} * (x + 1));
     for (; active != 0; active &= active - 1) {
       for (std::size_t k = std::size_t{kWidth} * x; k < end; ++k) {
         const std::uint32_t index = tree.loose[k];
-        test_ray(view, rays, static_cast<std::uint32_t>(std::countr_zero(active)),
-                 {index, view.mesh->triangles[index]});
+        is_found |= take(static_cast<std::uint32_t>(std::countr_zero(active)),
+                         {index, view.mesh->triangles[index]});
       }
     }
-    return;
+    return is_found;
   }
-  const LeafGrid& grid = tree.grids[level.grid];
-  const GridLeaf leaf = grid_leaf(grid, x, y);
-  switch (grid.shape) {
-    case 0:
-      return search_block<kLeafShapes[0].columns, kLeafShapes[0].rows>(view, grid, leaf, extent, active, packet,
-                                                                       rays);
-    case 1:
-      return search_block<kLeafShapes[1].columns, kLeafShapes[1].rows>(view, grid, leaf, extent, active, packet,
-                                                                       rays);
-    case 2:
-      return search_block<kLeafShapes[2].columns, kLeafShapes[2].rows>(view, grid, leaf, extent, active, packet,
-                                                                       rays);
-    case 3:
-      return search_block<kLeafShapes[3].columns, kLeafShapes[3].rows>(view, grid, leaf, extent, active, packet,
-                                                                       rays);
-    default:
-      return search_block<kLeafShapes[4].columns, kLeafShapes[4].rows>(view, grid, leaf, extent, active, packet,
-                                                                       rays);
-  }
-}
-
-/// What a search through the tree asks of a packet: the same as of a ray.
-struct PacketVisitor {
-  const TreeView& view;
-  Packet& packet;
-  PacketRays& rays;
-
-  HWY_INLINE float limit() const { return greatest(load(packet.limits)); }
-  HWY_INLINE std::uint32_t passed_children(const BoxNode& node, float limit, Lanes& enter) const {
-    return passed(node, packet, limit, enter);
-  }
-  /// False: nothing has changed.
-  HWY_INLINE bool visit_leaf(const Level& level, const BoxNode& node, std::uint32_t child, std::uint32_t x,
-                             std::uint32_t y) const {
-    const std::uint32_t active = rays_through(node, child, packet);
-    if (active == 0) return false;
-    search_leaf(view, level, x, y, extent_of(node, child), active, packet, rays);
-    for (std::uint32_t bits = active; bits != 0; bits &= bits - 1) {
-      const auto i = static_cast<std::uint32_t>(std::countr_zero(bits));
-      packet.limits[i] = packet.limit(i, rays.best[i].t);
+  HWY_INLINE bool take(std::uint32_t i, const LeafTriangle& triangle) {
+    auto* ray = reinterpret_cast<ShearedRay*>(sheared[i]);
+    if ((are_sheared >> i & 1) == 0) {
+      std::construct_at(ray, rays[i]);
+      are_sheared |= 1u << i;
     }
+    NearestSearch search{best[i]};
+    if (!test(view, rays[i], *ray, triangle, search)) return false;
+    packet.limits[i] = packet.limit(i, best[i].t);
     return true;
   }
-  HWY_INLINE bool is_over() const { return false; }
 };
 
 inline void find_nearest_packet(const TreeView& view, std::span<const Ray> rays, std::span<Hit> best) {
@@ -278,8 +254,7 @@ inline void find_nearest_packet(const TreeView& view, std::span<const Ray> rays,
     for (std::size_t i = 0; i < rays.size(); ++i) find_nearest(view, rays[i], best[i]);
     return;
   }
-  PacketRays packet_rays = {rays, best, {}};
-  PacketVisitor visitor{view, packet, packet_rays};
+  PacketVisitor visitor(view, rays, best, packet);
   search_tree(*view.tree, visitor);
 }
 

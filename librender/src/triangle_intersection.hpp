@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
-#include <utility>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "ray.hpp"
 
@@ -31,28 +31,38 @@ inline double accurate_cross(double ax, double ay, double bx, double by) {
 class ShearedRay {
  public:
   explicit ShearedRay(const Ray& ray) {
-    const glm::dvec3 size = glm::abs(ray.direction);
-    z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    x_ = (z_ + 1) % 3;
-    y_ = (x_ + 1) % 3;
-    if (ray.direction[z_] < 0) std::swap(x_, y_);  // keeps the winding
-    origin_ = {ray.origin[x_], ray.origin[y_], ray.origin[z_]};
-    shear_x_ = ray.direction[x_] / ray.direction[z_];
-    shear_y_ = ray.direction[y_] / ray.direction[z_];
-    scale_z_ = 1 / ray.direction[z_];
+    // Without branches, which nothing could predict; glm::abs() and glm's operator[] have some.
+    const double* const direction = glm::value_ptr(ray.direction);
+    const double size[3] = {std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2])};
+    const double* const origin = glm::value_ptr(ray.origin);
+    const int first = static_cast<int>(!(size[0] > size[1]));
+    const int is_first = static_cast<int>(size[first] > size[2]);
+    z_ = is_first * first + (1 - is_first) * 2;
+    // Changing places keeps the winding.
+    const int is_backward = static_cast<int>(direction[z_] < 0);
+    static constexpr int kAfter[] = {1, 2, 0, 2, 0, 1};
+    x_ = kAfter[z_ + 3 * is_backward];
+    y_ = kAfter[z_ + 3 * (1 - is_backward)];
+    origin_ = {origin[x_], origin[y_], origin[z_]};
+    shear_x_ = direction[x_] / direction[z_];
+    shear_y_ = direction[y_] / direction[z_];
+    scale_z_ = 1 / direction[z_];
   }
 
   /// Writes t and (a, b, c) and returns true if the ray meets the triangle at 0 < t <= end. NaN fails.
   bool meets(const glm::vec3& va, const glm::vec3& vb, const glm::vec3& vc, double end, Hit& hit) const {
-    const double az = static_cast<double>(va[z_]) - origin_.z;
-    const double bz = static_cast<double>(vb[z_]) - origin_.z;
-    const double cz = static_cast<double>(vc[z_]) - origin_.z;
-    const double ax = static_cast<double>(va[x_]) - origin_.x - shear_x_ * az;
-    const double ay = static_cast<double>(va[y_]) - origin_.y - shear_y_ * az;
-    const double bx = static_cast<double>(vb[x_]) - origin_.x - shear_x_ * bz;
-    const double by = static_cast<double>(vb[y_]) - origin_.y - shear_y_ * bz;
-    const double cx = static_cast<double>(vc[x_]) - origin_.x - shear_x_ * cz;
-    const double cy = static_cast<double>(vc[y_]) - origin_.y - shear_y_ * cz;
+    const float* const pa = glm::value_ptr(va);
+    const float* const pb = glm::value_ptr(vb);
+    const float* const pc = glm::value_ptr(vc);
+    const double az = static_cast<double>(pa[z_]) - origin_.z;
+    const double bz = static_cast<double>(pb[z_]) - origin_.z;
+    const double cz = static_cast<double>(pc[z_]) - origin_.z;
+    const double ax = static_cast<double>(pa[x_]) - origin_.x - shear_x_ * az;
+    const double ay = static_cast<double>(pa[y_]) - origin_.y - shear_y_ * az;
+    const double bx = static_cast<double>(pb[x_]) - origin_.x - shear_x_ * bz;
+    const double by = static_cast<double>(pb[y_]) - origin_.y - shear_y_ * bz;
+    const double cx = static_cast<double>(pc[x_]) - origin_.x - shear_x_ * cz;
+    const double cy = static_cast<double>(pc[y_]) - origin_.y - shear_y_ * cz;
     double u = cx * by - cy * bx;
     double v = ax * cy - ay * cx;
     double w = bx * ay - by * ax;

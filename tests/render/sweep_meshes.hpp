@@ -40,7 +40,9 @@ inline Shape moved(Shape shape, double scale, const glm::dvec3& by) {
 
 /// The paper's kind of vase: closed at the foot by a pole, drawn up outside and down inside.
 inline Shape vase(int contour, int turn) {
-  const auto bezier = [](std::vector<glm::dvec2> points) { return sweep::BezierSegment<2>{std::move(points)}; };
+  const auto bezier = [](std::vector<glm::dvec2> points) {
+    return sweep::BezierSegment<2>{std::move(points)};
+  };
   const sweep::Curve2 outline({bezier({{0, 0}, {0.064, 0}}),
                                bezier({{0.064, 0}, {0.055, 0.03}, {0.156, 0.09}, {0.151, 0.195}}),
                                bezier({{0.151, 0.195}, {0.146, 0.285}, {0.056, 0.275}, {0.052, 0.345}}),
@@ -48,7 +50,8 @@ inline Shape vase(int contour, int turn) {
                                bezier({{0.09, 0.417}, {0.065, 0.409}, {0.044, 0.39}, {0.046, 0.345}}),
                                bezier({{0.046, 0.345}, {0.05, 0.27}, {0.14, 0.28}, {0.144, 0.195}}),
                                bezier({{0.144, 0.195}, {0.149, 0.09}, {0.06, 0.024}, {0, 0.024}})});
-  return shape_of("vase", sweep::revolve(outline, {.tessellation = {contour, turn}, .has_half_edges = false}));
+  return shape_of("vase",
+                  sweep::revolve(outline, {.tessellation = {contour, turn}, .has_half_edges = false}));
 }
 
 inline Shape trefoil(int round, int along) {
