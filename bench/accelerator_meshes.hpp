@@ -10,7 +10,8 @@
 
 namespace sweepkit::bench {
 
-/// A tube about a trefoil knot, `round` x `along` cells, without a seam to see; longer than sweep() makes any.
+/// A tube about a trefoil knot, `round` x `along` cells, without a seam to see; longer than sweep() makes
+/// any.
 inline render::test::Shape trefoil_tube(std::uint32_t round, std::uint32_t along) {
   constexpr double kRadius = 0.35;
   render::test::Shape shape;

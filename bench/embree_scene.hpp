@@ -55,15 +55,15 @@ class EmbreeScene {
     RTCGeometry geometry =
         rtcNewGeometry(device_, is_grid_ ? RTC_GEOMETRY_TYPE_GRID : RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_MEDIUM);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh_.positions.data(), 0,
-                               sizeof(glm::vec3), mesh_.positions.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh_.positions.data(),
+                               0, sizeof(glm::vec3), mesh_.positions.size());
     if (is_grid_) {
       add_grids();
       rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0, RTC_FORMAT_GRID, grids_.data(), 0,
                                  sizeof(RTCGrid), grids_.size());
     } else {
-      rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh_.triangles.data(), 0,
-                                 sizeof(sweep::Triangle), mesh_.triangles.size());
+      rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh_.triangles.data(),
+                                 0, sizeof(sweep::Triangle), mesh_.triangles.size());
     }
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_, geometry);
@@ -93,7 +93,8 @@ class EmbreeScene {
       query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
       rtcIntersect1(scene_, &context, &query);
-      hits[i] = {query.ray.tfar, query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? render::kNone : query.hit.primID};
+      hits[i] = {query.ray.tfar,
+                 query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? render::kNone : query.hit.primID};
     }
   }
 
@@ -124,8 +125,8 @@ class EmbreeScene {
       }
       rtcIntersect16(valid.data(), scene_, &context, &query);
       for (std::size_t k = 0; k < 16; ++k) {
-        hits[i + k] = {query.ray.tfar[k], query.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID ? render::kNone
-                                                                                        : query.hit.primID[k]};
+        hits[i + k] = {query.ray.tfar[k],
+                       query.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID ? render::kNone : query.hit.primID[k]};
       }
     }
   }
@@ -140,7 +141,8 @@ class EmbreeScene {
       const std::uint32_t end = patch.rows - (patch.has_last_pole ? 1 : 0);
       for (std::uint32_t row = first; row < end; row += kMostCells) {
         const std::uint32_t rows = std::min(end - row, kMostCells);
-        grids_.push_back({patch.vertex(0, row), patch.columns + 1, static_cast<std::uint16_t>(patch.columns + 1),
+        grids_.push_back({patch.vertex(0, row), patch.columns + 1,
+                          static_cast<std::uint16_t>(patch.columns + 1),
                           static_cast<std::uint16_t>(rows + 1)});
       }
     }

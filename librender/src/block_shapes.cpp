@@ -15,7 +15,9 @@ namespace {
 constexpr std::uint32_t kSamples = 8;  // more changed no choice on vases, tubes, spheres and planes
 constexpr std::uint32_t kSteps = 8;    // a sampled block's vertices, along each side
 
-std::uint32_t blocks_for(std::uint32_t cells, std::uint32_t block) { return (cells + block - 1) / block; }
+std::uint32_t blocks_for(std::uint32_t cells, std::uint32_t block) {
+  return (cells + block - 1) / block;
+}
 
 double half_area(const glm::vec3& size) {
   return static_cast<double>(size.x) * size.y + static_cast<double>(size.y) * size.z +
@@ -31,8 +33,8 @@ double mean_half_area(const scene::MeshView& mesh, const LeafGrid& grid, std::ui
   for (std::uint32_t sample = 0; sample < kSamples; ++sample) {
     // Spread by the golden ratio along u and evenly along v.
     const double along_u = 0.618033988749895 * (sample + 0.5);
-    const auto i0 = static_cast<std::uint32_t>((along_u - static_cast<int>(along_u)) *
-                                               (grid.columns - columns + 1));
+    const auto i0 =
+        static_cast<std::uint32_t>((along_u - static_cast<int>(along_u)) * (grid.columns - columns + 1));
     const auto j0 = static_cast<std::uint32_t>((sample + 0.5) / kSamples * (grid.rows - rows + 1));
     glm::vec3 low(kNowhere);
     glm::vec3 high(-kNowhere);
@@ -62,7 +64,8 @@ std::optional<std::uint32_t> choose_leaf_shape(const scene::MeshView& mesh, cons
     if (columns > grid.columns || rows > grid.rows) continue;
     const double blocks =
         static_cast<double>(blocks_for(grid.columns, columns)) * blocks_for(grid.rows, rows);
-    const double cost = blocks * mean_half_area(mesh, grid, columns, rows);
+    // Squared: where areas are alike, few leaves rather than many.
+    const double cost = blocks * blocks * mean_half_area(mesh, grid, columns, rows);
     if (!best || cost < least) {
       best = shape;
       least = cost;
@@ -80,8 +83,7 @@ std::uint8_t choose_log_columns(const scene::MeshView& mesh, const LeafGrid& gri
     const std::uint32_t high = kWidth >> log_columns;
     const double blocks = static_cast<double>(blocks_for(columns, wide)) * blocks_for(rows, high);
     // Squared: where areas are alike, full nodes rather than many.
-    const double cost =
-        blocks * blocks * mean_half_area(mesh, grid, wide * child.columns, high * child.rows);
+    const double cost = blocks * blocks * mean_half_area(mesh, grid, wide * child.columns, high * child.rows);
     if (least < 0 || cost < least) {
       best = log_columns;
       least = cost;

@@ -14,8 +14,8 @@ namespace sweepkit::render {
 
 inline constexpr std::uint32_t kWidth = 16;  ///< children of a node, vertices or triangles of a leaf
 
-/// The bounds of 16 children, axis by axis. A child that is not there lies kNowhere, turned inside out: no ray
-/// meets it, and no product with it is NaN.
+/// The bounds of 16 children, axis by axis. A child that is not there lies kNowhere, turned inside out: no
+/// ray meets it, and no product with it is NaN.
 struct alignas(64) BoxNode {
   float low[3][kWidth];
   float high[3][kWidth];
@@ -29,8 +29,8 @@ struct LeafShape {
 };
 inline constexpr std::array<LeafShape, 5> kLeafShapes = {{{3, 3}, {4, 2}, {2, 4}, {7, 1}, {1, 7}}};
 
-/// The cells of a GridPatch without its pole rows: a full grid. Vertex (i, j) is first_vertex + j * stride + i;
-/// cell (i, j) has the triangles first_triangle + 2 * (j * columns + i) and the one after it.
+/// The cells of a GridPatch without its pole rows: a full grid. Vertex (i, j) is first_vertex + j * stride +
+/// i; cell (i, j) has the triangles first_triangle + 2 * (j * columns + i) and the one after it.
 struct LeafGrid {
   std::uint32_t first_vertex = 0;
   std::uint32_t first_triangle = 0;
@@ -73,17 +73,17 @@ struct Place {
   std::uint32_t y;
 };
 
-/// The implicit hierarchy over a mesh: boxes, and the few numbers that tell what they bound. The vertices stay
-/// where they are.
+/// The implicit hierarchy over a mesh: boxes, and the few numbers that tell what they bound. The vertices
+/// stay where they are.
 struct BoxTree {
   Box box;            ///< of all triangles
   double reach = 0;   ///< the largest coordinate of it, up to sign
   double extent = 0;  ///< its width, height and depth together
   std::vector<BoxNode> nodes;
-  std::vector<Level> levels;         ///< the last one holds the roots, a few nodes in one row
+  std::vector<Level> levels;  ///< the last one holds the roots, a few nodes in one row
   std::vector<LeafGrid> grids;
   std::vector<std::uint32_t> loose;  ///< triangles of no grid, neighbours in space near each other
-  std::vector<Place> entries;        ///< where the grids' own trees begin, neighbours in space near each other
+  std::vector<Place> entries;  ///< where the grids' own trees begin, neighbours in space near each other
 
   std::size_t bytes() const {
     return nodes.size() * sizeof(BoxNode) + levels.size() * sizeof(Level) + grids.size() * sizeof(LeafGrid) +

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// Based on [Benthin, Woop, Niessner, Selgrad, Wald 2015], "Efficient ray tracing of subdivision surfaces using
-// tessellation caching": boxes over blocks of a grid, refitted from the vertices up, and nothing to search.
-// Departs from it: the whole mesh is one such tree instead of one a patch under a tree that is searched for;
-// nodes have 16 children; blocks take the shape that the cells have in space (block_shapes.cpp).
+// Based on [Benthin, Woop, Niessner, Selgrad, Wald 2015], "Efficient ray tracing of subdivision surfaces
+// using tessellation caching": boxes over blocks of a grid, refitted from the vertices up, and nothing to
+// search. Departs from it: the whole mesh is one such tree instead of one a patch under a tree that is
+// searched for; nodes have 16 children; blocks take the shape that the cells have in space
+// (block_shapes.cpp).
 
 #include "build_box_tree.hpp"
 
@@ -33,7 +34,9 @@ struct FloatBox {
   }
 };
 
-std::uint32_t blocks_for(std::uint32_t count, std::uint32_t block) { return (count + block - 1) / block; }
+std::uint32_t blocks_for(std::uint32_t count, std::uint32_t block) {
+  return (count + block - 1) / block;
+}
 
 FloatBox bounds_of(const BoxNode& node) {
   FloatBox box;
@@ -62,7 +65,8 @@ void add_level(BoxTree& tree, Level::Children children, std::uint8_t log_columns
 
 void set_child(BoxTree& tree, const Level& level, std::uint32_t x, std::uint32_t y, const FloatBox& box) {
   const std::uint32_t log_rows = 4u - level.log_columns;
-  BoxNode& node = tree.nodes[level.first_node + std::size_t{y >> log_rows} * level.columns + (x >> level.log_columns)];
+  BoxNode& node =
+      tree.nodes[level.first_node + std::size_t{y >> log_rows} * level.columns + (x >> level.log_columns)];
   const std::uint32_t child =
       (x & ((1u << level.log_columns) - 1)) + ((y & ((1u << log_rows) - 1)) << level.log_columns);
   for (glm::length_t axis = 0; axis < 3; ++axis) {

@@ -21,14 +21,14 @@ struct CullingRay {
   float inverse[3];
   float near_shift[3];
   float far_shift[3];
-  // Sheared to the axis axes[2]: x = p[axes[0]] - origin[0] + lost[0] + shear[0] * (p[axes[2]] - origin[2]), y
-  // likewise; `lost` is what rounding took from the origin.
+  // Sheared to the axis axes[2]: x = p[axes[0]] - origin[0] + lost[0] + shear[0] * (p[axes[2]] - origin[2]),
+  // y likewise; `lost` is what rounding took from the origin.
   int axes[3];
   float origin[3];
   float lost[2];
   float shear[2];
   float shear_error;  ///< of x and y, for the points of the mesh
-  double entry[3];      ///< where the ray enters the box
+  double entry[3];    ///< where the ray enters the box
   // From t of the ray to t here.
   double scale = 1;
   double start = 0;

@@ -154,8 +154,8 @@ HWY_INLINE std::uint32_t pack_keys(const Lanes& lanes, std::uint32_t bits, std::
   const hn::RebindToUnsigned<FloatTag> integers;
   const auto packed = static_cast<std::uint16_t>(bits);
   const auto mask = hn::LoadMaskBits(integers, reinterpret_cast<const std::uint8_t*>(&packed));
-  const auto all = hn::Or(hn::AndNot(hn::Set(integers, 15u), hn::BitCast(integers, lanes.part[0])),
-                          hn::Iota(integers, 0));
+  const auto all =
+      hn::Or(hn::AndNot(hn::Set(integers, 15u), hn::BitCast(integers, lanes.part[0])), hn::Iota(integers, 0));
   hn::Store(hn::Compress(hn::IfThenElseZero(mask, all), mask), integers, keys);
   return static_cast<std::uint32_t>(std::popcount(bits));
 #else

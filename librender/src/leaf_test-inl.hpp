@@ -4,9 +4,9 @@
 // Which triangles of a leaf a ray may meet, 16 lanes at once. For inclusion once an instruction set, as
 // lanes-inl.hpp.
 //
-// Symbols: a lane holds vertex P = (i, j) of the leaf's block; Q = (i+1, j) is the next lane, R = (i, j+1) the
-// one a row further; S = (i+1, j+1). P x Q is the edge function of the ray (the origin, after shearing) and
-// the edge from P to Q. So every edge is looked at once, by the same numbers for both of its triangles.
+// Symbols: a lane holds vertex P = (i, j) of the leaf's block; Q = (i+1, j) is the next lane, R = (i, j+1)
+// the one a row further; S = (i+1, j+1). P x Q is the edge function of the ray (the origin, after shearing)
+// and the edge from P to Q. So every edge is looked at once, by the same numbers for both of its triangles.
 
 #if defined(SWEEPKIT_LEAF_TEST_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SWEEPKIT_LEAF_TEST_INL
@@ -95,7 +95,9 @@ HWY_INLINE Sheared shear(const Lanes p[3], const CullingRay& ray) {
 }
 
 /// The edge function of the edge from a to b.
-HWY_INLINE Lanes edge(const Sheared& a, const Sheared& b) { return difference_of_products(a.x, b.y, a.y, b.x); }
+HWY_INLINE Lanes edge(const Sheared& a, const Sheared& b) {
+  return difference_of_products(a.x, b.y, a.y, b.x);
+}
 
 /// Bits of the lanes where all three may have one sign.
 HWY_INLINE std::uint32_t may_agree(const Lanes& u, const Lanes& v, const Lanes& w, float error) {

@@ -71,18 +71,18 @@ HWY_INLINE void load_vertices(const float* HWY_RESTRICT from, const LeafGrid& gr
       vectors[k] = hn::MaskedLoad(hn::FirstN(tag, D::kFloats), tag, from + k * stride);
     } else {
       const float* row = from + k / 2 * stride;
-      vectors[k] = k % 2 == 0 ? hn::LoadU(tag, row)
-                              : hn::MaskedLoad(hn::FirstN(tag, D::kFloats - 16), tag, row + 16);
+      vectors[k] =
+          k % 2 == 0 ? hn::LoadU(tag, row) : hn::MaskedLoad(hn::FirstN(tag, D::kFloats - 16), tag, row + 16);
     }
   }
   const hn::RebindToSigned<FloatTag> integers;
   for (int n = 0; n < 3; ++n) {
     const auto axis = static_cast<std::size_t>(axes[n]);
-    auto dealt = hn::TableLookupLanes(
-        vectors[0], hn::IndicesFromVec(tag, hn::Load(integers, D::kTable.from[0][axis])));
+    auto dealt = hn::TableLookupLanes(vectors[0],
+                                      hn::IndicesFromVec(tag, hn::Load(integers, D::kTable.from[0][axis])));
     for (std::uint32_t k = 1; k < D::kVectors; ++k) {
-      const auto lanes = hn::LoadMaskBits(
-          tag, reinterpret_cast<const std::uint8_t*>(&D::kTable.axis_lanes[k][axis]));
+      const auto lanes =
+          hn::LoadMaskBits(tag, reinterpret_cast<const std::uint8_t*>(&D::kTable.axis_lanes[k][axis]));
       dealt = hn::IfThenElse(
           lanes,
           hn::TableLookupLanes(vectors[k],

@@ -3,9 +3,9 @@
 //
 // The search for up to 16 rays of one origin. For inclusion once an instruction set, as lanes-inl.hpp.
 //
-// Nodes are tested against the pyramid about all of the rays, a lane a child; a leaf's box against the rays, a
-// lane each; its triangles against every ray that is left, a lane a vertex. Symbols: axes[2], z here, is the
-// axis that the rays follow most; z counts from the origin in their sense; slopes are x and y for each z.
+// Nodes are tested against the pyramid about all of the rays, a lane a child; a leaf's box against the rays,
+// a lane each; its triangles against every ray that is left, a lane a vertex. Symbols: axes[2], z here, is
+// the axis that the rays follow most; z counts from the origin in their sense; slopes are x and y for each z.
 
 #if defined(SWEEPKIT_PACKET_SEARCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SWEEPKIT_PACKET_SEARCH_INL
@@ -139,7 +139,8 @@ HWY_INLINE bool make_packet(const TreeView& view, std::span<const Ray> rays, std
     across += std::abs(origin[axis] - 0.5 * (tree.box.low[axis] + tree.box.high[axis]));
   packet.shear_error = static_cast<float>(20 * kFloatRounding * across + error);
   // Where there is no ray nothing is before its end.
-  for (std::uint32_t i = 0; i < kWidth; ++i) packet.limits[i] = i < packet.count ? packet.limit(i, best[i].t) : -1;
+  for (std::uint32_t i = 0; i < kWidth; ++i)
+    packet.limits[i] = i < packet.count ? packet.limit(i, best[i].t) : -1;
   return true;
 }
 
@@ -229,8 +230,8 @@ struct PacketVisitor {
     for (; active != 0; active &= active - 1) {
       for (std::size_t k = std::size_t{kWidth} * x; k < end; ++k) {
         const std::uint32_t index = tree.loose[k];
-        is_found |= take(static_cast<std::uint32_t>(std::countr_zero(active)),
-                         {index, view.mesh->triangles[index]});
+        is_found |=
+            take(static_cast<std::uint32_t>(std::countr_zero(active)), {index, view.mesh->triangles[index]});
       }
     }
     return is_found;

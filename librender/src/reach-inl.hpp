@@ -101,8 +101,7 @@ HWY_INLINE Reach reach(const Ray& ray, const BoxTree& tree, CullingRay& out) {
   for (std::size_t k = 0; k < kAxisParts; ++k) {
     const auto point = hn::Add(origin.part[k], hn::Mul(hn::Set(tag, enter), direction.part[k]));
     // Turned by at most 2u: that moves the ray by 2u of the mesh's size.
-    const auto slope =
-        hn::Min(hn::Max(inverse.part[k], hn::Set(tag, -0x1p23)), hn::Set(tag, 0x1p23));
+    const auto slope = hn::Min(hn::Max(inverse.part[k], hn::Set(tag, -0x1p23)), hn::Set(tag, 0x1p23));
     const auto outwards = hn::CopySign(hn::Set(tag, moved), slope);
     hn::StoreU(point, tag, at + k * kAxisLanes);
     hn::StoreU(slope, tag, slopes + k * kAxisLanes);

@@ -11,8 +11,8 @@
 namespace sweepkit::render {
 
 /// An implicit hierarchy of boxes over the (u,v) grids of a sweep mesh: built without a search in one pass
-/// over the vertices, at 1 to 2 bytes a triangle, and searched in SIMD. A mesh of other triangles has one too,
-/// which is neither as quick nor as small. docs/algorithms/sweep-hierarchy.md tells how it works.
+/// over the vertices, at 1 to 2 bytes a triangle, and searched in SIMD. A mesh of other triangles has one
+/// too, which is neither as quick nor as small. docs/algorithms/sweep-hierarchy.md tells how it works.
 class SweepHierarchy final : public MeshAccelerator {
  public:
   /// With the best instruction set of this machine.

@@ -19,7 +19,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace sweepkit::render::HWY_NAMESPACE {
 
-SweepKernels kernels() { return {find_nearest, find_nearest_packet, is_blocked}; }
+SweepKernels kernels() {
+  return {find_nearest, find_nearest_packet, is_blocked};
+}
 
 }  // namespace sweepkit::render::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -31,7 +31,9 @@ struct Children {
   alignas(64) std::uint32_t keys[kWidth];
 };
 
-HWY_INLINE float entry_of(std::uint32_t key) { return std::bit_cast<float>(key & ~15u); }
+HWY_INLINE float entry_of(std::uint32_t key) {
+  return std::bit_cast<float>(key & ~15u);
+}
 
 /// Puts keys[count] where it belongs among those before it.
 HWY_INLINE void sort_in(std::uint32_t* keys, std::uint32_t count) {
