@@ -4,11 +4,13 @@
 
 #include "linear_scan.hpp"
 #include "seads.hpp"
+#include "sweep_hierarchy.hpp"
 
 namespace sweepkit::render {
 
 std::unique_ptr<const MeshAccelerator> make_accelerator(const scene::MeshView& mesh, Accelerator kind) {
   if (kind == Accelerator::kLinear) return std::make_unique<LinearScan>(mesh);
+  if (kind == Accelerator::kSweep) return std::make_unique<SweepHierarchy>(mesh);
   return std::make_unique<Seads>(mesh);
 }
 

@@ -29,6 +29,7 @@ enum class Footprint {
 /// How the triangles that a ray meets are found.
 enum class Accelerator {
   kSeads,   ///< the paper's grids (3.3)
+  kSweep,   ///< ours: boxes over blocks of the (u,v) grid, without a search
   kLinear,  ///< every triangle: the reference that tests compare the others with
   kAuto,
 };
