@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "mesh_accelerator.hpp"
 
+#include "embree_accelerator.hpp"
 #include "linear_scan.hpp"
 #include "seads.hpp"
 
 namespace sweepkit::render {
 
+Accelerator choose_accelerator(const scene::MeshView& /*mesh*/) {
+  return Accelerator::kSeads;
+}
+
 std::unique_ptr<const MeshAccelerator> make_accelerator(const scene::MeshView& mesh, Accelerator kind) {
   if (kind == Accelerator::kLinear) return std::make_unique<LinearScan>(mesh);
+  if (kind == Accelerator::kEmbree) return make_embree_accelerator(mesh);
   return std::make_unique<Seads>(mesh);
 }
 
