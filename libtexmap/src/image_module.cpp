@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
+#include <new>
 
 #include "sweepkit/error.hpp"
 #include "sweepkit/texmap/image_file.hpp"
@@ -43,6 +45,8 @@ const ImageModule& load() {
       }
     }
     const char* reason = dlerror();
+    // A limit of the address space that the module's own libraries do not fit in.
+    if (reason != nullptr && std::strstr(reason, "failed to map segment") != nullptr) throw std::bad_alloc();
     tried += (tried.empty() ? "" : "; ") + std::string(reason != nullptr ? reason : candidate.c_str());
   }
   throw OutputError("the image module cannot be loaded (" + tried + "); install sweepkit whole");
@@ -75,11 +79,13 @@ void check_image_exists(const std::filesystem::path& file) {
 }
 
 void throw_if_unreadable(const std::filesystem::path& file, const std::string& problem) {
+  if (problem == kOutOfMemory) throw std::bad_alloc();
   if (!problem.empty())
     throw InputError({.file = file.string()}, "cannot be read as an image: " + one_line(problem));
 }
 
 void throw_if_not_encoded(const std::string& problem) {
+  if (problem == kOutOfMemory) throw std::bad_alloc();
   if (!problem.empty()) throw OutputError("cannot encode the image: " + one_line(problem));
 }
 
