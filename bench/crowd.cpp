@@ -29,7 +29,7 @@ using render::Hit;
 using render::Ray;
 using render::Tracer;
 
-constexpr int kSide = 256;  // of the picture, in 4 x 4 packets
+constexpr int kSide = 128;  // of the picture, in 4 x 4 packets
 constexpr std::size_t kPacket = 16;
 constexpr std::size_t kRays = std::size_t{kSide} * kSide;
 
@@ -135,8 +135,9 @@ void measure(const sweep::Mesh& mesh, std::size_t count) {
         [] { return ""; },
         {},
         kRays}},
-      5);
+      3);
   std::fputs(bench::to_table(comparison).c_str(), stdout);
+  std::fflush(stdout);
   std::printf("  %zu objects: built in %.1f ms, %.0f ns and %.0f bytes of tree an object\n", count,
               1e3 * build, 1e9 * build / static_cast<double>(count),
               static_cast<double>(tracer.object_tree().bytes()) / static_cast<double>(count));

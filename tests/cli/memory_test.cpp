@@ -27,7 +27,7 @@ TEST(Memory, RefusesWhatALimitHasNoRoomForWithWhatItNeeds) {
   for (const char* limit : {"ulimit -v 1500000", "ulimit -d 1000000"}) {
     const Outcome run = workshop.shell(std::string(limit) + "; sweepkit render big.json -o big.png");
     EXPECT_EQ(run.status, 2) << run.err;
-    EXPECT_EQ(run.err.rfind("sweepkit: big.json: needs about 3.", 0), 0u) << run.err;
+    EXPECT_EQ(run.err.rfind("sweepkit: big.json: needs about 2.7", 0), 0u) << run.err;
     EXPECT_TRUE(has(
         run.err, " GiB of memory, for 32000000 triangles, 1 object and what is made of them, and ulimit -" +
                      std::string(1, limit[8]) + " leaves "))
@@ -57,7 +57,7 @@ TEST(Memory, RefusesAToleranceThatTakesMoreTrianglesThanThereIsRoomFor) {
   EXPECT_EQ(workshop.contents(), before);
 }
 
-// From limits under which the program cannot even start to those where all goes well, in steps of a tenth.
+// From limits under which the program cannot even start to those where all goes well, in steps of an eighth.
 class RunningOut : public testing::TestWithParam<std::string> {};
 
 TEST_P(RunningOut, AtAnyLimitEndsCleanlyAndLeavesNothing) {
@@ -72,9 +72,9 @@ TEST_P(RunningOut, AtAnyLimitEndsCleanlyAndLeavesNothing) {
   const auto before = workshop.contents();
   int good = 0;
   int refused = 0;
-  for (double kilobytes = 30000; kilobytes < 3e6 && good < 3; kilobytes *= 1.1) {
+  for (double kilobytes = 40000; kilobytes < 3e6 && good < 3; kilobytes *= 1.12) {
     const auto limit = std::to_string(static_cast<int>(kilobytes));
-    const Outcome run = workshop.shell("ulimit -v " + limit + "; timeout 100 " + GetParam());
+    const Outcome run = workshop.shell("ulimit -v " + limit + "; " + GetParam());
     if (run.status == 0) {
       ++good;
       const std::size_t made = workshop.contents().size() - before.size();
