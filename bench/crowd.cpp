@@ -137,10 +137,10 @@ void measure(const sweep::Mesh& mesh, std::size_t count) {
         kRays}},
       3);
   std::fputs(bench::to_table(comparison).c_str(), stdout);
-  std::fflush(stdout);
   std::printf("  %zu objects: built in %.1f ms, %.0f ns and %.0f bytes of tree an object\n", count,
               1e3 * build, 1e9 * build / static_cast<double>(count),
               static_cast<double>(tracer.object_tree().bytes()) / static_cast<double>(count));
+  std::fflush(stdout);
 }
 
 }  // namespace
