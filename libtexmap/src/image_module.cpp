@@ -4,10 +4,14 @@
 
 #include <dlfcn.h>
 #include <link.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <new>
 
 #include "sweepkit/error.hpp"
@@ -32,7 +36,21 @@ std::filesystem::path own_folder() {
   return std::filesystem::canonical("/proc/self/exe", ignored).parent_path();
 }
 
+// Address space that the module's libraries take when they are loaded: 620 MB measured, and threads. Where a
+// limit leaves less, constructors inside those libraries end the program, which nobody can catch.
+constexpr std::uint64_t kModuleRoom = std::uint64_t{768} << 20;
+
+void require_room() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const std::uint64_t used = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  if (limit.rlim_cur < used + kModuleRoom) throw std::bad_alloc();
+}
+
 const ImageModule& load() {
+  require_room();
   std::string tried;
   const std::filesystem::path folder = own_folder();
   for (const std::filesystem::path& candidate :
