@@ -110,33 +110,28 @@ void measure(const sweep::Mesh& mesh, std::size_t count) {
         [&] {
           for (std::size_t i = 0; i < kRays; ++i) hits[i] = tracer.nearest(picture[i]);
         },
-        check,
-        {},
-        kRays},
+        check},
        {"picture_packets",
         [&] {
           for (std::size_t i = 0; i < kRays; i += kPacket)
             tracer.nearest(std::span(picture).subspan(i, kPacket), std::span(hits).subspan(i, kPacket));
         },
-        check,
-        {},
-        kRays},
+        check},
        {"random",
         [&] {
           for (const Ray& ray : around) bench::keep(tracer.nearest(ray));
         },
-        [] { return ""; },
-        {},
-        kRays},
+        [] { return ""; }},
        {"random_blocked",
         [&] {
           for (const Ray& ray : around) bench::keep(tracer.is_blocked(ray, 10));
         },
-        [] { return ""; },
-        {},
-        kRays}},
-      3);
-  std::fputs(bench::to_table(comparison).c_str(), stdout);
+        [] { return ""; }}},
+      5);
+  std::printf("%s, ns a ray:", comparison.name.c_str());
+  for (const bench::Result& result : comparison.results)
+    std::printf(" %s %.0f", result.name.c_str(), 1e9 * result.seconds.median / static_cast<double>(kRays));
+  std::printf("\n");
   std::printf("  %zu objects: built in %.1f ms, %.0f ns and %.0f bytes of tree an object\n", count,
               1e3 * build, 1e9 * build / static_cast<double>(count),
               static_cast<double>(tracer.object_tree().bytes()) / static_cast<double>(count));

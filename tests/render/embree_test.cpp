@@ -48,7 +48,9 @@ TEST_F(Embree, DrawsAlmostTheSamePicture) {
 }
 
 // What double says of the triangle that Embree has found. Its robust mode itself lets about 2 % of the rays
-// through that are aimed exactly at a vertex, and none of those at an edge.
+// through that are aimed exactly at a vertex, and none of those at an edge. Where a ray is aimed at the
+// middle of a triangle the two find the same one, and then t is the same to the bit; at vertices and edges
+// float32 may choose a neighbour.
 TEST_F(Embree, HitsAreOursAndNothingLeaksOutOfAClosedBallButAtVertices) {
   const Stage stage(kScene);
   const Tracer theirs(stage.model.scene, true, Accelerator::kEmbree);
@@ -57,29 +59,31 @@ TEST_F(Embree, HitsAreOursAndNothingLeaksOutOfAClosedBallButAtVertices) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> real(0, 1);
   constexpr int kRays = 30000;
-  int same = 0;
   int leaks_at_vertices = 0;
   for (int n = 0; n < kRays; ++n) {
     const sweep::Triangle& t = mesh.triangles[random() % mesh.triangles.size()];
     const glm::dvec3 up(0, 1, 0);
     const glm::dvec3 a = up + mesh.origin + glm::dvec3(mesh.positions[t[0]]);
     const glm::dvec3 b = up + mesh.origin + glm::dvec3(mesh.positions[t[1]]);
+    const glm::dvec3 c = up + mesh.origin + glm::dvec3(mesh.positions[t[2]]);
     const double s = real(random);
     const glm::dvec3 from(0.4 * real(random), 1 + 0.4 * real(random), 0.4 * real(random));
-    const Ray ray{from, (n % 2 == 0 ? a : (1 - s) * a + s * b) - from};
+    const glm::dvec3 aim = n % 3 == 0 ? a : n % 3 == 1 ? (1 - s) * a + s * b : (a + b + c) / 3.0;
+    const Ray ray{from, aim - from};
     const Hit hit = theirs.nearest(ray);
     const bool leaks = !hit.is_hit() || std::abs(hit.t - 1) > 1e-5;
-    if (leaks && n % 2 == 0) ++leaks_at_vertices;
-    ASSERT_TRUE(!leaks || n % 2 == 0) << n;
+    if (leaks && n % 3 == 0) ++leaks_at_vertices;
+    ASSERT_TRUE(!leaks || n % 3 == 0) << n;
     ASSERT_TRUE(leaks || theirs.is_blocked(ray, 1.1));
     ASSERT_FALSE(theirs.is_blocked(ray, 0.9));
     const Hit expected = ours.nearest(ray);
-    if (hit.triangle == expected.triangle && hit.t == expected.t) ++same;
+    if (n % 3 == 2) {
+      ASSERT_EQ(hit.triangle, expected.triangle);
+      ASSERT_EQ(hit.t, expected.t);
+    }
   }
-  EXPECT_LE(leaks_at_vertices, kRays / 2 / 20);
-  EXPECT_GT(same, kRays / 2);
-  std::printf("%d of %d rays at vertices leak, %d of %d hits are ours to the bit\n", leaks_at_vertices,
-              kRays / 2, same, kRays);
+  EXPECT_LE(leaks_at_vertices, kRays / 3 / 20);
+  std::printf("%d of %d rays at vertices leak\n", leaks_at_vertices, kRays / 3);
 }
 
 TEST(WithoutEmbree, ItIsRefused) {
