@@ -9,6 +9,7 @@ find_package(hwy REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(Boost REQUIRED)
+find_package(embree 3 QUIET)
 
 # svgpp is headers on Boost, without a CMake package of its own.
 find_path(SVGPP_INCLUDE_DIR svgpp/parser/path_data.hpp REQUIRED)

@@ -42,7 +42,12 @@ class MeshAccelerator {
   virtual std::size_t count_occupancy(std::vector<std::uint32_t>& /*counts*/) const { return 0; }
 };
 
-/// `mesh` must outlive it. Precondition: it has triangles, and `kind` is not kAuto.
+/// What kAuto stands for with this mesh: the sweep hierarchy where it is a grid (docs/algorithms/
+/// sweep-hierarchy.md has the measurements), else SEADS. Always one of ours, whose bytes are the same.
+Accelerator choose_accelerator(const scene::MeshView& mesh);
+
+/// `mesh` must outlive it. Throws InputError for kEmbree in a build without it. Precondition: the mesh has
+/// triangles, and `kind` is not kAuto.
 std::unique_ptr<const MeshAccelerator> make_accelerator(const scene::MeshView& mesh, Accelerator kind);
 
 }  // namespace sweepkit::render

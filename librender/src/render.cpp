@@ -86,7 +86,7 @@ void fill_ledger(scene::Ledger& ledger, const BandCounts& counts, const Tracer& 
   ledger[Part::kTrees] = {counts.link_bytes, counts.rays.reflected};
   ledger[Part::kShadows] = {0, counts.shading.shadow_rays};
   ledger[Part::kSupersampling] = {counts.shrink_bytes, counts.shrink_bytes > 0 ? 1u : 0u};
-  if (tracer.has_global_grid()) ledger[Part::kGlobalGrid] = {tracer.global_grid().bytes(), 1};
+  if (tracer.has_object_tree()) ledger[Part::kObjectTree] = {tracer.object_tree().bytes(), 1};
 }
 
 void check(const scene::Scene& scene, const Options& options) {
@@ -116,8 +116,13 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   Picture picture;
   Statistics& statistics = picture.statistics;
 
+  // More threads than the machine has must be allowed first, or TBB prints a warning and takes fewer.
+  std::optional<tbb::global_control> allowed;
+  if (options.threads > 0) {
+    allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  }
   Clock::time_point start = Clock::now();
-  const Tracer tracer(scene, plan.needs_part(scene::Part::kGlobalGrid), options.accelerator);
+  const Tracer tracer(scene, plan.needs_part(scene::Part::kObjectTree), options.accelerator);
   statistics.build_seconds = seconds_since(start);
   count_accelerators(tracer, statistics);
 
@@ -136,11 +141,6 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   std::mutex progress;
   int done = 0;
 
-  // More threads than the machine has must be allowed first, or TBB prints a warning and takes fewer.
-  std::optional<tbb::global_control> allowed;
-  if (options.threads > 0) {
-    allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-  }
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& range) {

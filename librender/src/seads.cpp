@@ -44,10 +44,10 @@ VoxelGrid grid_over(const scene::MeshView& mesh) {
         for (const std::uint32_t v : mesh.triangles[t]) bounds.add(glm::dvec3(mesh.positions[v]));
         return bounds;
       },
-      [&](std::uint32_t t, const Box& voxel) {
+      [&](std::uint32_t t, const glm::dvec3& half) {
         const auto& [a, b, c] = mesh.triangles[t];
-        return overlaps(glm::dvec3(mesh.positions[a]), glm::dvec3(mesh.positions[b]),
-                        glm::dvec3(mesh.positions[c]), voxel);
+        return TriangleBoxOverlap(glm::dvec3(mesh.positions[a]), glm::dvec3(mesh.positions[b]),
+                                  glm::dvec3(mesh.positions[c]), half);
       });
   return grid;
 }

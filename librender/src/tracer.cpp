@@ -1,126 +1,170 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
-//
-// Based on [Akdemir98, 3.3]: a global grid over the objects' bounding boxes.
-
 #include "tracer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
 #include <cmath>
-#include <map>
-#include <utility>
-
-#include "recent.hpp"
+#include <limits>
 
 namespace sweepkit::render {
 namespace {
 
-glm::dmat4 affine_inverse(const glm::dmat4& matrix) {
+glm::dmat3 inverse_of(const glm::dmat3& matrix) {
   // Cofactors of a lopsided matrix lose digits; a step of Newton's brings them back.
-  const glm::dmat3 rough = glm::inverse(glm::dmat3(matrix));
-  const glm::dmat3 linear = rough + rough * (glm::dmat3(1.0) - glm::dmat3(matrix) * rough);
-  glm::dmat4 inverse(linear);
-  inverse[3] = glm::dvec4(-(linear * glm::dvec3(matrix[3])), 1);
-  return inverse;
+  const glm::dmat3 rough = glm::inverse(matrix);
+  return rough + rough * (glm::dmat3(1.0) - matrix * rough);
 }
 
 Ray to_mesh_space(const TracedObject& object, const Ray& ray) {
   // Direction not normalized: t is the same in both spaces.
-  return {glm::dvec3(object.mesh_from_world * glm::dvec4(ray.origin, 1)),
+  return {object.mesh_from_world * glm::dvec4(ray.origin, 1),
           glm::dmat3(object.mesh_from_world) * ray.direction, ray.from_object, ray.from_triangle};
 }
 
-Box world_box(const TracedObject& object) {
-  Box local;
-  for (const glm::vec3& position : object.mesh->positions) local.add(glm::dvec3(position));
+Box box_of(const scene::MeshView& mesh) {
+  Box box;
+  for (const glm::vec3& position : mesh.positions) box.add(glm::dvec3(position));
+  return box;
+}
+
+Box to_world(const Box& local, const glm::dmat4x3& world_from_mesh) {
   Box world;
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p((corner & 1) != 0 ? local.high.x : local.low.x,
+    const glm::dvec4 p((corner & 1) != 0 ? local.high.x : local.low.x,
                        (corner & 2) != 0 ? local.high.y : local.low.y,
-                       (corner & 4) != 0 ? local.high.z : local.low.z);
-    world.add(glm::dvec3(object.world_from_mesh * glm::dvec4(p, 1)));
+                       (corner & 4) != 0 ? local.high.z : local.low.z, 1);
+    world.add(world_from_mesh * p);
   }
   return world;
 }
 
+double largest(const glm::dvec3& vector) {
+  const glm::dvec3 size = glm::abs(vector);
+  return std::max({size.x, size.y, size.z});
+}
+
+// By how much the way to the mesh's space and back enlarges a relative error: 1 to 3 for turns and for scales
+// that are the same in all directions.
+double amplification(const TracedObject& object) {
+  glm::dmat3 there(object.mesh_from_world);
+  glm::dmat3 back(object.world_from_mesh);
+  for (int axis = 0; axis < 3; ++axis) {
+    there[axis] = glm::abs(there[axis]);
+    back[axis] = glm::abs(back[axis]);
+  }
+  return largest(back * there * glm::dvec3(1.0));
+}
+
 }  // namespace
 
-Tracer::Tracer(const scene::Scene& scene, bool has_global_grid, Accelerator accelerator)
-    : has_global_grid_(has_global_grid && accelerator != Accelerator::kLinear) {
+Tracer::Tracer(const scene::Scene& scene, bool has_object_tree, Accelerator accelerator)
+    : has_object_tree_(has_object_tree && accelerator != Accelerator::kLinear) {
   accelerators_.resize(scene.meshes.size());
+  objects_.reserve(scene.objects.size());
   for (const scene::Object& entry : scene.objects) {
     TracedObject object;
     object.mesh = &scene.meshes[entry.mesh];
-    glm::dmat4 from_origin(1.0);
-    from_origin[3] = glm::dvec4(object.mesh->origin, 1);
-    object.world_from_mesh = entry.world_from_object * from_origin;
-    object.mesh_from_world = affine_inverse(object.world_from_mesh);
-    object.normal_to_world = glm::transpose(glm::dmat3(object.mesh_from_world));
+    const glm::dmat3 linear(entry.world_from_object);
+    const glm::dmat3 inverse = inverse_of(linear);
+    object.world_from_mesh = glm::dmat4x3(linear);
+    object.world_from_mesh[3] = glm::dvec3(entry.world_from_object * glm::dvec4(object.mesh->origin, 1));
+    object.mesh_from_world = glm::dmat4x3(inverse);
+    object.mesh_from_world[3] = -(inverse * object.world_from_mesh[3]);
+    object.normal_to_world = glm::transpose(inverse);
     auto& shared = accelerators_[entry.mesh];
-    if (!shared && !object.mesh->triangles.empty())
-      shared = make_accelerator(*object.mesh,
-                                accelerator == Accelerator::kAuto ? Accelerator::kSeads : accelerator);
+    if (!shared && !object.mesh->triangles.empty()) {
+      shared = make_accelerator(
+          *object.mesh, accelerator == Accelerator::kAuto ? choose_accelerator(*object.mesh) : accelerator);
+    }
     object.accelerator = shared.get();
     objects_.push_back(object);
   }
-  if (!has_global_grid_) return;
-  std::vector<Box> boxes;
-  Box all;
-  for (const TracedObject& object : objects_) {
-    boxes.push_back(world_box(object));
-    all.add(boxes.back().low);
-    all.add(boxes.back().high);
+  if (!has_object_tree_) return;
+  std::vector<Box> local(scene.meshes.size());
+  for (std::size_t i = 0; i < local.size(); ++i) {
+    if (accelerators_[i]) local[i] = box_of(scene.meshes[i]);
   }
-  const glm::dvec3 size = all.high - all.low;
-  // A few voxels an object; their shape follows the whole box's.
-  const double wanted = 8.0 * static_cast<double>(objects_.size()) + 56;
-  global_ = make_grid(all, std::max({size.x, size.y, size.z}) / std::cbrt(wanted) / 2, wanted);
-  fill_grid(
-      global_, static_cast<std::uint32_t>(objects_.size()), [&](std::uint32_t i) { return boxes[i]; },
-      [](std::uint32_t, const Box&) { return true; });
-}
-
-// Calls on_object(index, t where the voxel ends) for the objects whose boxes the ray may meet; it returns
-// true to stop.
-template <class OnObject>
-void Tracer::for_objects_along(const Ray& ray, double end, OnObject&& on_object) const {
-  if (!has_global_grid_) {
-    for (std::uint32_t i = 0; i < objects_.size(); ++i) {
-      if (on_object(i, kNoEnd)) return;
-    }
-    return;
+  std::vector<Box> boxes(objects_.size());
+  std::vector<std::uint32_t> met;
+  met.reserve(objects_.size());
+  double reach = 0;
+  double amplified = 1;
+  for (std::uint32_t i = 0; i < objects_.size(); ++i) {
+    const TracedObject& object = objects_[i];
+    if (object.accelerator == nullptr) continue;
+    boxes[i] = to_world(local[scene.objects[i].mesh], object.world_from_mesh);
+    reach =
+        std::max({reach, largest(boxes[i].low), largest(boxes[i].high), largest(object.world_from_mesh[3])});
+    amplified = std::max(amplified, amplification(object));
+    met.push_back(i);
   }
-  Recent recent;
-  walk(global_, ray, end, [&](std::size_t voxel, double exit) {
-    bool stops = false;
-    for (std::uint32_t i = global_.first[voxel]; i < global_.first[voxel + 1] && !stops; ++i) {
-      if (recent.add(global_.items[i])) stops = on_object(global_.items[i], kNoEnd);
-    }
-    return stops || on_object(kNone, exit);
-  });
+  // A ray comes to the mesh by sums of 4 products of numbers no larger than these, through an inverse that is
+  // good to as many roundings, and the triangle test is good to a few more: 64 bound them all with room.
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * amplified;
+  tree_ = ObjectTree(boxes, std::move(met), rounding, reach);
 }
 
 Hit Tracer::nearest(const Ray& ray) const {
   Hit best;
-  for_objects_along(ray, kNoEnd, [&](std::uint32_t index, double exit) {
-    if (index == kNone) return best.t < exit;
+  const auto look_in = [&](std::uint32_t index) {
     const TracedObject& object = objects_[index];
     if (object.accelerator != nullptr)
       object.accelerator->find_nearest(to_mesh_space(object, ray), index, best);
     return false;
-  });
+  };
+  if (has_object_tree_) {
+    tree_.walk(ray, best.t, look_in);
+  } else {
+    for (std::uint32_t i = 0; i < objects_.size(); ++i) look_in(i);
+  }
   return best;
 }
 
-bool Tracer::is_blocked(const Ray& ray, double end) const {
-  bool is_blocked = false;
-  for_objects_along(ray, end, [&](std::uint32_t index, double) {
-    if (index == kNone) return false;
+void Tracer::nearest(std::span<const Ray> rays, std::span<Hit> hits) const {
+  assert(rays.size() <= ObjectTree::kMostRays && hits.size() >= rays.size());
+  std::fill_n(hits.begin(), rays.size(), Hit());
+  std::array<Ray, ObjectTree::kMostRays> moved;
+  std::array<Hit, ObjectTree::kMostRays> best;
+  const auto look_in = [&](std::uint32_t index, std::uint32_t mask) {
     const TracedObject& object = objects_[index];
-    is_blocked = object.accelerator != nullptr &&
-                 object.accelerator->is_blocked(to_mesh_space(object, ray), index, end);
-    return is_blocked;
-  });
+    if (object.accelerator == nullptr) return;
+    std::size_t count = 0;
+    for (std::uint32_t left = mask; left != 0; left &= left - 1, ++count) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      moved[count] = to_mesh_space(object, rays[i]);
+      best[count] = hits[i];
+    }
+    object.accelerator->find_nearest(std::span(moved).first(count), index, std::span(best).first(count));
+    count = 0;
+    for (std::uint32_t left = mask; left != 0; left &= left - 1, ++count)
+      hits[static_cast<std::size_t>(std::countr_zero(left))] = best[count];
+  };
+  if (has_object_tree_) {
+    tree_.walk(
+        rays, [&](std::size_t i) { return hits[i].t; }, look_in);
+  } else {
+    const auto all = static_cast<std::uint32_t>((std::uint64_t{1} << rays.size()) - 1);
+    for (std::uint32_t i = 0; i < objects_.size(); ++i) look_in(i, all);
+  }
+}
+
+bool Tracer::is_blocked(const Ray& ray, double end) const {
+  const auto blocks = [&](std::uint32_t index) {
+    const TracedObject& object = objects_[index];
+    return object.accelerator != nullptr &&
+           object.accelerator->is_blocked(to_mesh_space(object, ray), index, end);
+  };
+  if (!has_object_tree_) {
+    for (std::uint32_t i = 0; i < objects_.size(); ++i) {
+      if (blocks(i)) return true;
+    }
+    return false;
+  }
+  bool is_blocked = false;
+  tree_.walk(ray, end, [&](std::uint32_t index) { return is_blocked = blocks(index); });
   return is_blocked;
 }
 

@@ -70,35 +70,52 @@ inline VoxelGrid make_grid(Box box, double side, double most_voxels) {
   return grid;
 }
 
-/// Puts items 0..n-1 into every voxel of their boxes for which `overlaps(item, voxel box)` holds.
-template <class BoxOf, class Overlaps>
-void fill_grid(VoxelGrid& grid, std::uint32_t n, BoxOf&& box_of, Overlaps&& overlaps) {
+/// Puts items 0..n-1 into every voxel of their boxes for which `overlap_of(item, half)(middle)` holds: half
+/// the size of a voxel, and its middle. An item's voxels hold it in ascending order.
+template <class BoxOf, class OverlapOf>
+void fill_grid(VoxelGrid& grid, std::uint32_t n, BoxOf&& box_of, OverlapOf&& overlap_of) {
   const double slack =
       1e-9 * std::max({grid.cell.x * grid.count.x, grid.cell.y * grid.count.y, grid.cell.z * grid.count.z});
-  const auto for_each_voxel = [&](std::uint32_t item, auto&& use) {
+  const glm::dvec3 half = 0.5 * grid.cell + slack;
+  // The voxels of all items, one item's after another's, and how many an item has: looked for once, since
+  // that is the most of the work.
+  std::vector<std::uint32_t> voxels;
+  std::vector<std::uint32_t> ends(n);
+  voxels.reserve(3 * static_cast<std::size_t>(n));
+  grid.first.assign(grid.voxel_count() + 1, 0);
+  for (std::uint32_t item = 0; item < n; ++item) {
     const Box box = box_of(item);
     const glm::ivec3 from = grid.voxel_of(box.low - slack);
     const glm::ivec3 to = grid.voxel_of(box.high + slack);
     const glm::ivec3 extent = to - from + 1;
+    const auto use = [&](int x, int y, int z) {
+      const auto voxel = static_cast<std::uint32_t>(grid.index({x, y, z}));
+      voxels.push_back(voxel);
+      ++grid.first[voxel];
+    };
     // One or two voxels are taken without a closer look.
-    const bool is_small = extent.x * extent.y * extent.z <= 2;
-    for (int z = from.z; z <= to.z; ++z) {
-      for (int y = from.y; y <= to.y; ++y) {
-        for (int x = from.x; x <= to.x; ++x) {
-          const glm::dvec3 low = grid.box.low + glm::dvec3(x, y, z) * grid.cell - slack;
-          if (is_small || overlaps(item, Box{low, low + grid.cell + 2 * slack})) use(grid.index({x, y, z}));
+    if (extent.x * extent.y * extent.z <= 2) {
+      use(from.x, from.y, from.z);
+      if (from != to) use(to.x, to.y, to.z);
+    } else {
+      const auto overlaps = overlap_of(item, half);
+      for (int z = from.z; z <= to.z; ++z) {
+        for (int y = from.y; y <= to.y; ++y) {
+          for (int x = from.x; x <= to.x; ++x) {
+            if (overlaps(grid.box.low + (glm::dvec3(x, y, z) + 0.5) * grid.cell)) use(x, y, z);
+          }
         }
       }
     }
-  };
-  grid.first.assign(grid.voxel_count() + 1, 0);
-  for (std::uint32_t item = 0; item < n; ++item)
-    for_each_voxel(item, [&](std::size_t voxel) { ++grid.first[voxel + 1]; });
+    ends[item] = static_cast<std::uint32_t>(voxels.size());
+  }
+  // Each voxel's end for now; filled from the back, that becomes its first.
   for (std::size_t i = 1; i < grid.first.size(); ++i) grid.first[i] += grid.first[i - 1];
-  grid.items.resize(grid.first.back());
-  std::vector<std::uint32_t> next(grid.first.begin(), grid.first.end() - 1);
-  for (std::uint32_t item = 0; item < n; ++item)
-    for_each_voxel(item, [&](std::size_t voxel) { grid.items[next[voxel]++] = item; });
+  grid.items.resize(voxels.size());
+  for (std::uint32_t item = n; item-- > 0;) {
+    for (std::uint32_t i = item == 0 ? 0 : ends[item - 1]; i < ends[item]; ++i)
+      grid.items[--grid.first[voxels[i]]] = item;
+  }
 }
 
 /// The voxels along a ray in order, by the 3D digital differential analyzer. Departs from the paper's, which

@@ -39,9 +39,12 @@ constexpr sweep::Tessellation kQuickCells{80, 320};
 
 std::vector<SceneFinding> check(const Document& document, const Model& model, Thoroughness thoroughness) {
   std::vector<SceneFinding> all;
-  for (std::size_t i = 0; i < document.objects.size(); ++i) {
-    const ObjectEntry& entry = document.objects[i];
-    const glm::dmat4& world_from_object = model.scene.objects[i].world_from_object;
+  auto next = model.scene.objects.begin();
+  for (const ObjectEntry& entry : document.objects) {
+    // Of several instances the first stands for all.
+    const Object& object = *next;
+    next += static_cast<std::ptrdiff_t>(std::max(entry.instances.size(), std::size_t{1}));
+    const glm::dmat4& world_from_object = object.world_from_object;
     for (const Piece& piece : entry.pieces) {
       if (std::holds_alternative<PlaneShape>(piece.shape)) continue;
       try {
@@ -50,7 +53,7 @@ std::vector<SceneFinding> check(const Document& document, const Model& model, Th
         const bool is_sound = std::none_of(findings.begin(), findings.end(), [](const sweep::Finding& f) {
           return f.kind == sweep::FindingKind::kContourCrossing;
         });
-        const sweep::Mesh& whole = *model.meshes[model.scene.objects[i].mesh];
+        const sweep::Mesh& whole = *model.meshes[object.mesh];
         const bool is_quick =
             thoroughness == Thoroughness::kQuick && whole.triangles.size() > kQuickTriangles;
         const bool is_file = std::holds_alternative<MeshShape>(piece.shape);

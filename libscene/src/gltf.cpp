@@ -72,10 +72,14 @@ class Writer {
   GltfFile write() {
     tinygltf::Scene scene;
     scene.name = "scene";
-    for (const Object& object : scene_.objects) {
-      if (options_.object && object.name != *options_.object) continue;
-      scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
-      add_object(object);
+    const auto is_first = [](const Object& object) { return object.instance == 0; };
+    for (auto first = scene_.objects.begin(); first != scene_.objects.end();) {
+      const auto end = std::find_if(first + 1, scene_.objects.end(), is_first);
+      if (!options_.object || first->name == *options_.object) {
+        scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
+        add_object({first, end});
+      }
+      first = end;
     }
     if (scene.nodes.empty()) refuse_selection();
     scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
@@ -94,7 +98,9 @@ class Writer {
   [[noreturn]] void refuse_selection() const {
     if (!options_.object) throw InputError("the scene has no objects to write");
     std::string names;
-    for (const Object& object : scene_.objects) names += (names.empty() ? "" : ", ") + in_quotes(object.name);
+    for (const Object& object : scene_.objects) {
+      if (object.instance == 0) names += (names.empty() ? "" : ", ") + in_quotes(object.name);
+    }
     throw InputError("there is no object " + in_quotes(*options_.object) + "; there is " + names);
   }
 
@@ -283,7 +289,33 @@ class Writer {
     if (model_.extensionsUsed.empty()) model_.extensionsUsed.push_back(kName);
   }
 
-  void add_object(const Object& object) {
+  // Its instances. One is a node with the mesh; several are such nodes without names under the object's.
+  void add_object(std::span<const Object> instances) {
+    const int mesh = add_mesh(instances.front());
+    if (instances.size() == 1) {
+      add_node(instances.front(), mesh);
+      model_.nodes.back().name = instances.front().name;
+      return;
+    }
+    const std::size_t group = model_.nodes.size();
+    model_.nodes.emplace_back();
+    model_.nodes.back().name = instances.front().name;
+    for (const Object& instance : instances) {
+      model_.nodes[group].children.push_back(static_cast<int>(model_.nodes.size()));
+      add_node(instance, mesh);
+    }
+  }
+
+  void add_node(const Object& object, int mesh) {
+    glm::dmat4 node_from_mesh(1.0);
+    node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
+    tinygltf::Node node;
+    node.mesh = mesh;
+    place(node, object.world_from_object * node_from_mesh, object.name);
+    model_.nodes.push_back(std::move(node));
+  }
+
+  int add_mesh(const Object& object) {
     const MeshView& mesh = scene_.meshes[object.mesh];
     if (mesh.triangles.empty())
       throw InputError("the object " + in_quotes(object.name) + " has no triangles");
@@ -303,20 +335,16 @@ class Writer {
     tinygltf::Mesh entry;
     entry.name = object.name;
     entry.primitives.push_back(std::move(primitive));
-    tinygltf::Node node;
-    node.name = object.name;
-    node.mesh = static_cast<int>(model_.meshes.size());
-    glm::dmat4 node_from_mesh(1.0);
-    node_from_mesh[3] = glm::dvec4(mesh.origin, 1);
-    place(node, object.world_from_object * node_from_mesh);
     model_.meshes.push_back(std::move(entry));
-    model_.nodes.push_back(std::move(node));
+    return static_cast<int>(model_.meshes.size()) - 1;
   }
 
-  static void place(tinygltf::Node& node, const glm::dmat4& world_from_node) {
+  static void place(tinygltf::Node& node, const glm::dmat4& world_from_node, const std::string& name) {
     const std::optional<NodeTransform> transform = decompose(world_from_node);
     if (!transform) {
-      throw InputError("the object " + in_quotes(node.name) + " is sheared, which glTF cannot place");
+      throw InputError("the object " + in_quotes(name) +
+                       " is sheared by an instance, which glTF cannot place; give that instance one scale "
+                       "for all directions");
     }
     const auto& [t, r, s] = *transform;
     if (t != glm::dvec3(0.0)) node.translation = {t.x, t.y, t.z};
@@ -340,7 +368,7 @@ class Writer {
     node.camera = 0;
     glm::dmat4 placement(world_from_camera(from));
     placement[3] = glm::dvec4(from.eye, 1);
-    place(node, placement);
+    place(node, placement, node.name);
     node.scale.clear();  // 1 but for rounding; a camera has none
     model_.nodes.push_back(std::move(node));
   }

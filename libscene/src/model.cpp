@@ -80,14 +80,32 @@ struct Bounds {
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 };
 
+void add(Bounds& bounds, const glm::dvec3& point) {
+  bounds.low = glm::min(bounds.low, point);
+  bounds.high = glm::max(bounds.high, point);
+}
+
 Bounds bounds_of(const Scene& scene) {
   Bounds bounds;
+  Bounds local;  // of the mesh whose further instances follow
   for (const Object& object : scene.objects) {
     const MeshView& mesh = scene.meshes[object.mesh];
-    for (const glm::vec3& position : mesh.positions) {
-      const glm::dvec3 world(object.world_from_object * glm::dvec4(glm::dvec3(position) + mesh.origin, 1));
-      bounds.low = glm::min(bounds.low, world);
-      bounds.high = glm::max(bounds.high, world);
+    if (object.instance == 0) {
+      local = Bounds();
+      for (const glm::vec3& position : mesh.positions) {
+        const glm::dvec3 at = glm::dvec3(position) + mesh.origin;
+        add(local, at);
+        add(bounds, glm::dvec3(object.world_from_object * glm::dvec4(at, 1)));
+      }
+    } else {
+      // Every vertex of a million instances would take minutes; the corners of their boxes are a little
+      // farther out.
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 at((corner & 1) != 0 ? local.high.x : local.low.x,
+                            (corner & 2) != 0 ? local.high.y : local.low.y,
+                            (corner & 4) != 0 ? local.high.z : local.low.z);
+        add(bounds, glm::dvec3(object.world_from_object * glm::dvec4(at, 1)));
+      }
     }
   }
   return bounds;
@@ -111,6 +129,26 @@ DirectionalLight default_light(const Camera& camera) {
   return {axes * glm::normalize(glm::dvec3(0.5, -0.7, -1.0)), glm::vec3(1.0f)};
 }
 
+// Of the mesh that comes next: the entry, or its instances.
+void add_objects(Scene& scene, const ObjectEntry& entry) {
+  const glm::dmat4 placed = to_matrix(entry.placement);
+  if (entry.instances.empty()) {
+    scene.objects.push_back({entry.name, scene.meshes.size(), entry.material, placed});
+    return;
+  }
+  std::uint32_t instance = 0;
+  for (const Placement& placement : entry.instances) {
+    scene.objects.push_back(
+        {entry.name, scene.meshes.size(), entry.material, to_matrix(placement) * placed, instance++});
+  }
+}
+
+std::size_t count_objects(const Document& document) {
+  std::size_t count = 0;
+  for (const ObjectEntry& entry : document.objects) count += std::max(entry.instances.size(), std::size_t{1});
+  return count;
+}
+
 }  // namespace
 
 std::optional<double> deviation_of(const Model& model, const Object& object) {
@@ -131,10 +169,11 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
   scene.materials = document.materials;
   scene.lights = document.lights;
 
+  scene.objects.reserve(count_objects(document));
   for (const ObjectEntry& entry : document.objects) {
     model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts]));
     const sweep::Mesh& mesh = *model.meshes.back();
-    scene.objects.push_back({entry.name, scene.meshes.size(), entry.material, to_matrix(entry.placement)});
+    add_objects(scene, entry);
     scene.meshes.push_back({mesh.positions(), mesh.normals(), mesh.texcoords(), mesh.triangles, mesh.patches,
                             mesh.areas, mesh.origin});
     if (needs.half_edges) {

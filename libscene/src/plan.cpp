@@ -51,7 +51,7 @@ std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
       "half-edges",         "(u,v) layouts", "textures",       "baked textures",    "integral tables",
       "texture tiles",      "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers",
-      "intersection trees", "shadow rays",   "supersampling",  "grid over objects"};
+      "intersection trees", "shadow rays",   "supersampling",  "tree over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -119,8 +119,11 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kShadows, has_light, has_light ? "there is a light" : "there is no light, only ambient");
   picture_row(Part::kSupersampling, request.is_supersampled,
               request.is_supersampled ? "it was asked for" : "it was not asked for");
-  const bool has_several = document.objects.size() > 1;
-  picture_row(Part::kGlobalGrid, has_several,
+  const bool has_several =
+      document.objects.size() > 1 || std::ranges::any_of(document.objects, [](const ObjectEntry& object) {
+        return object.instances.size() > 1;
+      });
+  picture_row(Part::kObjectTree, has_several,
               has_several ? "there are several objects" : "there is one object");
 
   plan.texture_memory = request.texture_memory;

@@ -8,27 +8,11 @@
 #include "message_text.hpp"
 #include "read_curve.hpp"
 #include "read_law.hpp"
+#include "read_placement.hpp"
 #include "sweepkit/scene/mesh_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
-
-constexpr Range kAngle{.low = -1e9, .high = 1e9, .unit = " degrees"};
-constexpr Range kScale{.low = -1e9, .high = 1e9};
-
-Placement read_placement(ObjectReader& reader) {
-  Placement placement;
-  if (const auto node = reader.find("translate")) placement.translate = node->vector<3>(kCoordinate);
-  if (const auto node = reader.find("rotate_deg")) placement.rotate_deg = node->vector<3>(kAngle);
-  if (const auto node = reader.find("scale")) {
-    placement.scale = node->is_number() ? glm::dvec3(node->number(kScale)) : node->vector<3>(kScale);
-    const glm::dvec3 size = glm::abs(placement.scale);
-    if (std::min({size.x, size.y, size.z}) < kExtent.low) {
-      node->fail("needs factors other than 0, which would flatten the object");
-    }
-  }
-  return placement;
-}
 
 // What an object says for all its parts and each part may say again.
 struct Manner {
@@ -278,6 +262,7 @@ ObjectEntry read_one(const Node& node, const std::vector<Material>& materials,
     object.material = static_cast<std::size_t>(found - materials.begin());
   }
   object.placement = read_placement(reader);
+  object.instances = read_instances(reader);
   Manner manner;
   read_manner(reader, manner);
   std::optional<Piece> piece = read_shape(reader, folder);

@@ -158,6 +158,9 @@ Mesh revolve(std::span<const Curve2> contour, const RevolveOptions& options) {
     TurnedGrid grid = fit_turned_grid(sections, options.angle_deg, tolerance_left(*tolerance, box));
     sections = std::move(grid.sections);
     columns = grid.columns;
+    std::uint64_t rows = 0;
+    for (const Section& section : sections) rows += section.points.size() - 1;
+    check_triangles(options.tessellation, 2 * rows * static_cast<std::uint64_t>(columns));
     deviation = grid.deviation + float_error(box);
   }
   const bool is_whole = options.angle_deg == 360;

@@ -185,6 +185,13 @@ std::vector<double> texture_fractions(const std::vector<Station>& stations, UvBy
   return fractions;
 }
 
+void check_triangles(const Tessellation& tessellation, std::uint64_t triangles) {
+  if (triangles <= tessellation.most_triangles) return;
+  throw InputError("tolerance of " + number_text(*tessellation.tolerance) + " m takes " +
+                   std::to_string(triangles) + " triangles, and there is memory for " +
+                   std::to_string(tessellation.most_triangles) + "; ask for a larger one");
+}
+
 void check_cells(int cells, const char* along) {
   if (cells < 1 || cells > kMaxCells) {
     throw InputError("tessellation along the " + std::string(along) + " needs 1 to " +

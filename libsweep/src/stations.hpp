@@ -72,6 +72,10 @@ std::vector<double> texture_fractions(const std::vector<Station>& stations, UvBy
 /// Throws InputError for a tolerance that is not above 0 and finite.
 void check_tolerance(std::optional<double> tolerance);
 
+/// Throws InputError where what a tolerance takes is more than options.most_triangles. Precondition: it has a
+/// tolerance.
+void check_triangles(const Tessellation& tessellation, std::uint64_t triangles);
+
 /// Throws InputError where a loop has fewer cells than a triangle has sides. `what` names it ("contour").
 void check_loop(std::size_t cells, const char* what);
 

@@ -120,6 +120,9 @@ Swept sweep_to_tolerance(std::span<const Curve2> contour, const Curve3& given, c
   // As chosen, a dome misses that much between its rows and as much between its columns.
   if (has_domes) swept.grid->deviation = std::max(swept.grid->deviation, 2 * swept.dome_tolerance);
   swept.grid->deviation += float_error(box);
+  std::uint64_t columns_of_all = 0;
+  for (const std::vector<std::size_t>& columns : swept.grid->columns) columns_of_all += columns.size() - 1;
+  check_triangles(options.tessellation, 2 * columns_of_all * (swept.grid->rows.size() - 1));
   swept.spine = kept_rows(dense.spine, swept.grid->rows);
   for (std::size_t i = 0; i < dense.morphs.size(); ++i) {
     const std::vector<std::size_t>& columns = swept.grid->columns[i];

@@ -18,6 +18,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <system_error>
 
 namespace sweepkit::texmap {
 namespace {
@@ -36,6 +37,14 @@ template <class File>
 std::string error_of(const File& file, const char* otherwise) {
   std::string text = file.geterror();
   return text.empty() ? otherwise : text;
+}
+
+std::string problem_of(const std::exception& error) {
+  // A thread that cannot be made lacks the memory of its stack.
+  const auto* failed = dynamic_cast<const std::system_error*>(&error);
+  const bool is_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+                         (failed != nullptr && failed->code() == std::errc::resource_unavailable_try_again);
+  return is_memory ? kOutOfMemory : error.what();
 }
 
 std::string size_text(const OIIO::ImageSpec& spec) {
@@ -157,7 +166,7 @@ std::string read(const std::string& file, ModuleImage& image) try {
     return "its " + size_text(spec) + " pixels are more than the memory holds";
   }
 } catch (const std::exception& error) {
-  return error.what();
+  return problem_of(error);
 }
 
 std::string read_rows(const std::string& file, TakeRows take, void* context) try {
@@ -172,7 +181,7 @@ std::string read_rows(const std::string& file, TakeRows take, void* context) try
   return is_integer(spec.format) ? read_bands<std::uint16_t>(*input, spec, channels_of(spec), hand_on)
                                  : read_bands<float>(*input, spec, channels_of(spec), hand_on);
 } catch (const std::exception& error) {
-  return error.what();
+  return problem_of(error);
 }
 
 // A file behind a cache of its own tiles.
@@ -216,7 +225,7 @@ std::string open(const std::string& file, std::size_t cache_bytes, ModuleFile& o
   static_cast<void>(tiled.release());
   return {};
 } catch (const std::exception& error) {
-  return error.what();
+  return problem_of(error);
 }
 
 std::string read_rect(void* handle, const ModuleRect& rect, void* samples) try {
@@ -227,7 +236,7 @@ std::string read_rect(void* handle, const ModuleRect& rect, void* samples) try {
                                               file.channels, file.type, samples);
   return is_read ? std::string() : error_of(*file.cache, "its pixels cannot be read");
 } catch (const std::exception& error) {
-  return error.what();
+  return problem_of(error);
 }
 
 void close(void* handle) {
@@ -243,7 +252,7 @@ std::string read_info(const std::string& file, ModuleInfo& info) try {
   info = {spec.width, spec.height, spec.nchannels, input->format_name(), spec.format.c_str()};
   return {};
 } catch (const std::exception& error) {
-  return error.what();
+  return problem_of(error);
 }
 
 std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes) try {
@@ -287,7 +296,7 @@ std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes
   std::memcpy(bytes.data(), buffer.data(), buffer.size());
   return {};
 } catch (const std::exception& error) {
-  return error.what();
+  return problem_of(error);
 }
 
 }  // namespace

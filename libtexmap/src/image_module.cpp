@@ -4,9 +4,15 @@
 
 #include <dlfcn.h>
 #include <link.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <new>
 
 #include "sweepkit/error.hpp"
 #include "sweepkit/texmap/image_file.hpp"
@@ -30,7 +36,21 @@ std::filesystem::path own_folder() {
   return std::filesystem::canonical("/proc/self/exe", ignored).parent_path();
 }
 
+// Address space that the module's libraries take when they are loaded: 620 MB measured, and threads. Where a
+// limit leaves less, constructors inside those libraries end the program, which nobody can catch.
+constexpr std::uint64_t kModuleRoom = std::uint64_t{768} << 20;
+
+void require_room() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const std::uint64_t used = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  if (limit.rlim_cur < used + kModuleRoom) throw std::bad_alloc();
+}
+
 const ImageModule& load() {
+  require_room();
   std::string tried;
   const std::filesystem::path folder = own_folder();
   for (const std::filesystem::path& candidate :
@@ -43,6 +63,8 @@ const ImageModule& load() {
       }
     }
     const char* reason = dlerror();
+    // A limit of the address space that the module's own libraries do not fit in.
+    if (reason != nullptr && std::strstr(reason, "failed to map segment") != nullptr) throw std::bad_alloc();
     tried += (tried.empty() ? "" : "; ") + std::string(reason != nullptr ? reason : candidate.c_str());
   }
   throw OutputError("the image module cannot be loaded (" + tried + "); install sweepkit whole");
@@ -75,11 +97,13 @@ void check_image_exists(const std::filesystem::path& file) {
 }
 
 void throw_if_unreadable(const std::filesystem::path& file, const std::string& problem) {
+  if (problem == kOutOfMemory) throw std::bad_alloc();
   if (!problem.empty())
     throw InputError({.file = file.string()}, "cannot be read as an image: " + one_line(problem));
 }
 
 void throw_if_not_encoded(const std::string& problem) {
+  if (problem == kOutOfMemory) throw std::bad_alloc();
   if (!problem.empty()) throw OutputError("cannot encode the image: " + one_line(problem));
 }
 

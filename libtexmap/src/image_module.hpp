@@ -58,6 +58,9 @@ struct ModuleRect {
 /// empty text.
 using TakeRows = std::string (*)(void* context, int first, int count, const void* samples);
 
+/// What a function returns where memory runs out.
+inline constexpr const char* kOutOfMemory = "out of memory";
+
 /// Each returns an empty text, or what went wrong.
 struct ImageModule {
   std::string (*read)(const std::string& file, ModuleImage& image);
@@ -73,13 +76,15 @@ struct ImageModule {
   std::string (*encode)(const ModuleEncoding& encoding, std::vector<std::byte>& bytes);
 };
 
-/// The module, loaded by the first call. Throws OutputError if it is missing.
+/// The module, loaded by the first call. Throws OutputError if it is missing, and std::bad_alloc if there is
+/// no memory for it.
 const ImageModule& image_module();
 
 /// Throws InputError if there is no such file, or if it is a folder.
 void check_image_exists(const std::filesystem::path& file);
 
-/// What the module found wrong, as an InputError about the file or an OutputError.
+/// What the module found wrong, as an InputError about the file or an OutputError; std::bad_alloc for
+/// kOutOfMemory.
 void throw_if_unreadable(const std::filesystem::path& file, const std::string& problem);
 void throw_if_not_encoded(const std::string& problem);
 

@@ -51,7 +51,7 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
   const auto parts = parts_of(run.out);
   for (const char* name : {"half-edges", "(u,v) layouts", "textures", "baked textures", "integral tables",
                            "texture tiles", "(u,v) at hits", "filtered nodes", "ray differentials",
-                           "row buffers", "intersection trees", "supersampling", "grid over objects"}) {
+                           "row buffers", "intersection trees", "supersampling", "tree over objects"}) {
     expect_left_out(parts, name);
   }
   EXPECT_EQ(parts.at("shadow rays").needed, "true");

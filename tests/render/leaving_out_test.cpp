@@ -15,14 +15,14 @@ void expect_nothing(const scene::Ledger& ledger, Part part) {
   EXPECT_EQ(ledger[part].calls, 0u) << scene::part_name(part);
 }
 
-TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrGlobalGrid) {
+TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrObjectTree) {
   const Stage stage(
       R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   const Picture picture = stage.draw();
   for (const Part part : {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles,
                           Part::kTexcoords, Part::kFilteredNodes, Part::kDifferentials, Part::kRows,
-                          Part::kTrees, Part::kSupersampling, Part::kGlobalGrid}) {
+                          Part::kTrees, Part::kSupersampling, Part::kObjectTree}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
   }
@@ -45,7 +45,7 @@ TEST(LeavingOut, EveryPartThatIsNeededShowsUp) {
   EXPECT_GT(stage.draw({.filter = Filter::kIntegral1}).ledger[Part::kTables].calls, 0u);
   const Picture picture = stage.draw({.supersampling = 3});
   for (const Part part : {Part::kTiles, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
-                          Part::kShadows, Part::kSupersampling, Part::kGlobalGrid}) {
+                          Part::kShadows, Part::kSupersampling, Part::kObjectTree}) {
     EXPECT_GT(picture.ledger[part].calls, 0u) << scene::part_name(part);
   }
 }
@@ -71,7 +71,7 @@ TEST(LeavingOut, DoesNotChangeThePicture) {
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   scene::Plan everything = test::plan_for(stage.document, {});
   for (const Part part :
-       {Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees, Part::kGlobalGrid}) {
+       {Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees, Part::kObjectTree}) {
     everything.needs[static_cast<std::size_t>(part)].is_needed = true;
   }
   EXPECT_EQ(test::texels(stage.draw()), test::texels(render(stage.model.scene, everything, {})));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <span>
 
 #include "draw.hpp"
 #include "sweepkit/sweep/sweep.hpp"
@@ -52,13 +53,13 @@ std::vector<Ray> rays_at(const scene::Scene& scene, int count) {
 TEST(Tracer, GridsFindTheSameHitsAsALinearScanToTheBit) {
   const test::Stage stage(kCrowd);
   const Tracer grids(stage.model.scene, true, Accelerator::kSeads);
-  const Tracer without_global(stage.model.scene, false, Accelerator::kSeads);
+  const Tracer without_tree(stage.model.scene, false, Accelerator::kSeads);
   const Tracer linear(stage.model.scene, false, Accelerator::kLinear);
   int hits = 0;
   for (const Ray& ray : rays_at(stage.model.scene, 20000)) {
     const Hit expected = linear.nearest(ray);
     hits += expected.is_hit() ? 1 : 0;
-    for (const Tracer* tracer : {&grids, &without_global}) {
+    for (const Tracer* tracer : {&grids, &without_tree}) {
       const Hit hit = tracer->nearest(ray);
       ASSERT_EQ(hit.object, expected.object);
       ASSERT_EQ(hit.triangle, expected.triangle);
@@ -66,6 +67,80 @@ TEST(Tracer, GridsFindTheSameHitsAsALinearScanToTheBit) {
       ASSERT_EQ(hit.a, expected.a);
       ASSERT_EQ(tracer->is_blocked(ray, 2), linear.is_blocked(ray, 2));
     }
+  }
+  EXPECT_GT(hits, 5000);
+}
+
+// Of very unlike sizes, turned, flattened, mirrored, on top of each other.
+const char* const kInstances = R"({"sweepkit": 1, "objects": [
+  {"name": "floor", "plane": {"size": [30, 30]}},
+  {"name": "torus", "tessellation": {"contour": 8, "trajectory": 16}, "scale": [1, 0.7, 1],
+   "sweep": {"contour": {"circle": {"radius": 0.2}}, "trajectory": {"circle": {"radius": 0.8}}},
+   "instances": [{}, {}, {"translate": [0, 2, 0], "scale": 1e-3}, {"translate": [1, 1, 1], "rotate_deg": [10, 20, 30], "scale": [1, 1e-3, 1]},
+     {"translate": [-2, 1, 0], "scale": -1}, {"translate": [3, 0.1, 3], "rotate_deg": [90, 0, 0], "scale": 0.3},
+     {"translate": [-3, 0.1, 3], "rotate_deg": [80, 0, 0], "scale": 0.1}, {"translate": [0, 1, -3], "scale": 2}]}]})";
+
+TEST(Tracer, InstancesAreMetAsIfTheyWereObjects) {
+  const test::Stage stage(kInstances);
+  const Tracer tree(stage.model.scene, true, Accelerator::kSeads);
+  const Tracer linear(stage.model.scene, false, Accelerator::kLinear);
+  int hits = 0;
+  for (const Ray& ray : rays_at(stage.model.scene, 20000)) {
+    const Hit expected = linear.nearest(ray);
+    const Hit hit = tree.nearest(ray);
+    hits += expected.is_hit() && expected.object > 0 ? 1 : 0;
+    ASSERT_EQ(hit.object, expected.object);
+    ASSERT_EQ(hit.triangle, expected.triangle);
+    ASSERT_EQ(hit.t, expected.t);
+    ASSERT_EQ(tree.is_blocked(ray, 2), linear.is_blocked(ray, 2));
+  }
+  EXPECT_GT(hits, 2000);
+  std::size_t built = 0;
+  for (const auto& accelerator : tree.accelerators()) built += accelerator ? 1 : 0;
+  EXPECT_EQ(built, 2u) << "instances share theirs";
+}
+
+TEST(Tracer, PacketsFindTheSameHitsAsTheirRaysAloneToTheBit) {
+  for (const char* text : {kCrowd, kInstances}) {
+    const test::Stage stage(text);
+    for (const bool has_tree : {true, false}) {
+      const Tracer tracer(stage.model.scene, has_tree, Accelerator::kSeads);
+      std::vector<Ray> rays = rays_at(stage.model.scene, 8000);
+      std::vector<Hit> hits(ObjectTree::kMostRays);
+      for (std::size_t first = 0; first < rays.size(); first += ObjectTree::kMostRays) {
+        const std::span<Ray> packet =
+            std::span(rays).subspan(first, first % 96 == 0 ? 7 : ObjectTree::kMostRays);
+        for (Ray& ray : packet) ray.origin = packet[0].origin;
+        tracer.nearest(packet, hits);
+        for (std::size_t i = 0; i < packet.size(); ++i) {
+          const Hit alone = tracer.nearest(packet[i]);
+          ASSERT_EQ(hits[i].object, alone.object);
+          ASSERT_EQ(hits[i].triangle, alone.triangle);
+          ASSERT_EQ(hits[i].t, alone.t);
+          ASSERT_EQ(hits[i].c, alone.c);
+        }
+      }
+    }
+  }
+}
+
+// A camera far from a small scene that is far from the origin: boxes have room for what rounding does to it.
+TEST(Tracer, FarAwayTheTreeLosesNoHit) {
+  const test::Stage stage(R"({"sweepkit": 1, "objects": [
+    {"name": "ball", "translate": [1e6, 0, -1e6], "tessellation": {"contour": 12, "trajectory": 24}, "revolve": {"contour": {"arc": {"radius": 1, "from_deg": -90, "to_deg": 90}}},
+     "instances": [{}, {"translate": [0.1, 3, 0], "scale": [1, 1, 1]}, {"translate": [0, -3, 0], "rotate_deg": [0, 1e-4, 0]}]}]})");
+  const Tracer tree(stage.model.scene, true, Accelerator::kSeads);
+  const Tracer linear(stage.model.scene, false, Accelerator::kLinear);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> real(-1, 1);
+  int hits = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const glm::dvec3 from = 1e6 * glm::dvec3(real(random), real(random), real(random));
+    const glm::dvec3 at(1e6 + 1.2 * real(random), 4 * real(random), -1e6 + 1.2 * real(random));
+    const Ray ray{from, glm::normalize(at - from)};
+    const Hit expected = linear.nearest(ray);
+    ASSERT_EQ(tree.nearest(ray).t, expected.t);
+    hits += expected.is_hit() ? 1 : 0;
   }
   EXPECT_GT(hits, 5000);
 }

@@ -3,64 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <set>
 
-#include "voxel_grid.hpp"
+#include "voxel_enumeration.hpp"
 
 namespace sweepkit::render {
 namespace {
-
-VoxelGrid grid_of(const glm::ivec3& count) {
-  VoxelGrid grid;
-  grid.box = {glm::dvec3(-1, 2, 0.5), glm::dvec3(3, 5, 0.75)};
-  grid.count = count;
-  grid.cell = (grid.box.high - grid.box.low) / glm::dvec3(count);
-  return grid;
-}
-
-// The voxels a ray has inside it for longer than rounding: every box tested by itself.
-std::set<std::size_t> enumerated(const VoxelGrid& grid, const Ray& ray, double shrink) {
-  std::set<std::size_t> voxels;
-  for (int z = 0; z < grid.count.z; ++z) {
-    for (int y = 0; y < grid.count.y; ++y) {
-      for (int x = 0; x < grid.count.x; ++x) {
-        const glm::dvec3 low = grid.box.low + glm::dvec3(x, y, z) * grid.cell + shrink * grid.cell;
-        const glm::dvec3 high = low + (1 - 2 * shrink) * grid.cell;
-        double enter = 0;
-        double leave = kNoEnd;
-        for (int axis = 0; axis < 3; ++axis) {
-          if (ray.direction[axis] == 0) {
-            if (ray.origin[axis] < low[axis] || ray.origin[axis] > high[axis]) leave = -1;
-            continue;
-          }
-          const double a = (low[axis] - ray.origin[axis]) / ray.direction[axis];
-          const double b = (high[axis] - ray.origin[axis]) / ray.direction[axis];
-          enter = std::max(enter, std::min(a, b));
-          leave = std::min(leave, std::max(a, b));
-        }
-        if (enter <= leave) voxels.insert(grid.index({x, y, z}));
-      }
-    }
-  }
-  return voxels;
-}
-
-void expect_walk_agrees(const VoxelGrid& grid, const Ray& ray) {
-  std::vector<std::size_t> walked;
-  double before = 0;
-  walk(grid, ray, kNoEnd, [&](std::size_t voxel, double exit) {
-    EXPECT_GE(exit, before - 1e-9);
-    before = exit;
-    walked.push_back(voxel);
-    return false;
-  });
-  const std::set<std::size_t> visited(walked.begin(), walked.end());
-  ASSERT_EQ(visited.size(), walked.size()) << "a voxel was visited twice";
-  // All that the ray surely passes, and none that it surely misses: voxels shrunk and swollen by a billionth.
-  for (const std::size_t voxel : enumerated(grid, ray, 1e-9)) ASSERT_TRUE(visited.contains(voxel));
-  const std::set<std::size_t> possible = enumerated(grid, ray, -1e-9);
-  for (const std::size_t voxel : visited) ASSERT_TRUE(possible.contains(voxel));
-}
 
 TEST(VoxelWalk, VisitsWhatAnEnumerationOfAllVoxelsFinds) {
   std::mt19937 random(1);

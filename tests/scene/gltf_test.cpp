@@ -182,6 +182,38 @@ TEST(Gltf, NodesArePlacedAndCarryTheMeshesOrigin) {
   EXPECT_NEAR(node["rotation"][3].get<double>(), std::numbers::sqrt2 / 2, 1e-15);
 }
 
+TEST(Gltf, InstancesAreNodesUnderTheObjectsAndShareItsMesh) {
+  const std::string plane = R"("plane": {"size": [1, 1]}, "translate": [1, 0, 0], "scale": [2, 2, 2])";
+  const Parsed parsed = glb(
+      scene_text("", R"({"name": "one", "instances": [{"translate": [0, 5, 0]}], )" + plane +
+                         R"(}, {"name": "two", "instances": [{}, {"translate": [0, 0, 7], "scale": 3}], )" +
+                         plane + "}"));
+  const json& nodes = parsed.root["nodes"];
+  EXPECT_EQ(parsed.root["meshes"].size(), 2u);
+  EXPECT_EQ(parsed.root["scenes"][0]["nodes"], (json{0, 1, 4}));
+  EXPECT_EQ(
+      nodes[0],
+      (json{{"name", "one"}, {"mesh", 0}, {"translation", {1.0, 5.0, 0.0}}, {"scale", {2.0, 2.0, 2.0}}}));
+  EXPECT_EQ(nodes[1], (json{{"name", "two"}, {"children", {2, 3}}}));
+  EXPECT_EQ(nodes[2], (json{{"mesh", 1}, {"translation", {1.0, 0.0, 0.0}}, {"scale", {2.0, 2.0, 2.0}}}));
+  EXPECT_EQ(nodes[3], (json{{"mesh", 1}, {"translation", {3.0, 0.0, 7.0}}, {"scale", {6.0, 6.0, 6.0}}}));
+}
+
+TEST(Gltf, AnInstanceThatShearsItsObjectIsRefused) {
+  const std::string text =
+      scene_text("", R"({"name": "a", "plane": {"size": [1, 1]}, "rotate_deg": [0, 30, 0],
+      "instances": [{}, {"scale": [1, 1, 2]}]})");
+  try {
+    glb(text);
+    FAIL() << "a sheared node was written";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem(),
+              "the object \"a\" is sheared by an instance, which glTF cannot place; give that instance one "
+              "scale for "
+              "all directions");
+  }
+}
+
 TEST(Gltf, TheCameraIsTheScenes) {
   const Parsed parsed = glb(scene_text(
       R"("camera": {"eye": [0, 0, 5], "target": [0, 0, 0], "fov_deg": 90, "width": 200, "height": 100})"));

@@ -31,6 +31,13 @@ std::string build_fault(const std::string& text) {
   return "";
 }
 
+// Where a point stands in the picture: -1 to 1 each way inside it.
+glm::dvec2 in_picture(const Scene& scene, const glm::dvec3& point) {
+  const glm::dvec3 seen = glm::transpose(world_from_camera(scene.camera)) * (point - scene.camera.eye);
+  const double half = std::tan(0.5 * scene.camera.fov_deg * std::numbers::pi / 180);
+  return glm::dvec2(seen.x * scene.height / scene.width, seen.y) / (-seen.z * half);
+}
+
 const std::string kTube =
     R"({"name": "tube", "sweep": {"contour": {"circle": {"radius": 0.1}}, "trajectory": {"line": [[0, 0, 0], [0, 1, 0]]}, "caps": "none"}})";
 
@@ -106,6 +113,38 @@ TEST(Model, APartThatIsTheOnlyOneIsPlacedToo) {
   EXPECT_EQ(std::abs(mesh.positions[0].x + mesh.origin.x - 5), 1);
 }
 
+// Drawn once for each instance, moved from where the object stands, and not by itself.
+TEST(Model, InstancesShareAMeshAndMoveThePlacedObject) {
+  const Model model =
+      build_text(scene_text("", R"({"name": "a", "plane": {"size": [1, 1]}, "translate": [1, 0, 0],
+    "instances": [{"rotate_deg": [0, 90, 0]}, {"translate": [0, 2, 0], "scale": 3}]}, {"name": "b", "plane": {"size": [1, 1]}})"));
+  ASSERT_EQ(model.meshes.size(), 2u);
+  const std::vector<Object>& objects = model.scene.objects;
+  ASSERT_EQ(objects.size(), 3u);
+  EXPECT_EQ(objects[0].name, "a");
+  EXPECT_EQ(objects[1].name, "a");
+  EXPECT_EQ(objects[1].mesh, objects[0].mesh);
+  EXPECT_EQ(objects[1].instance, 1u);
+  EXPECT_EQ(objects[0].world_from_object * glm::dvec4(0, 0, 0, 1), glm::dvec4(0, 0, -1, 1));
+  EXPECT_EQ(objects[1].world_from_object * glm::dvec4(1, 0, 0, 1), glm::dvec4(6, 2, 0, 1));
+  EXPECT_EQ(objects[2].mesh, 1u);
+  EXPECT_EQ(objects[2].instance, 0u);
+}
+
+TEST(Model, WithoutACameraThePictureHoldsAllInstances) {
+  const Model model =
+      build_text(scene_text("", R"({"name": "a", "plane": {"size": [1, 1]}, "rotate_deg": [30, 10, 0],
+    "instances": [{}, {"translate": [50, 0, 0]}, {"translate": [0, 0, -20], "rotate_deg": [0, 40, 5]}]})"));
+  for (const Object& object : model.scene.objects) {
+    for (const glm::vec3& position : model.scene.meshes[0].positions) {
+      const glm::dvec3 at = glm::dvec3(position) + model.scene.meshes[0].origin;
+      const glm::dvec2 seen =
+          in_picture(model.scene, glm::dvec3(object.world_from_object * glm::dvec4(at, 1)));
+      EXPECT_LT(std::max(std::abs(seen.x), std::abs(seen.y)), 1);
+    }
+  }
+}
+
 TEST(Model, FaultsOfTheGeometryHaveThePlaceOfTheShape) {
   const auto expect_at = [](const std::string& text, const std::string& place) {
     const std::string message = build_fault(text);
@@ -156,13 +195,6 @@ TEST(Model, TexturesInUseAreReadAndCounted) {
     bytes += std::get<texmap::ImageTexture>(texture).image->bytes();
   EXPECT_EQ(model.ledger[Part::kTextures].calls, model.scene.textures.size());
   EXPECT_EQ(model.ledger[Part::kTextures].bytes, bytes);
-}
-
-// Where a point stands in the picture: -1 to 1 each way inside it.
-glm::dvec2 in_picture(const Scene& scene, const glm::dvec3& point) {
-  const glm::dvec3 seen = glm::transpose(world_from_camera(scene.camera)) * (point - scene.camera.eye);
-  const double half = std::tan(0.5 * scene.camera.fov_deg * std::numbers::pi / 180);
-  return glm::dvec2(seen.x * scene.height / scene.width, seen.y) / (-seen.z * half);
 }
 
 TEST(Model, WithoutACameraThePictureFramesTheScene) {

@@ -131,11 +131,17 @@ TEST(Plan, SupersamplingAndHalfEdgesAreThereWhenAskedFor) {
             std::set{Part::kHalfEdges});
 }
 
-TEST(Plan, TheGridOverObjectsNeedsTwo) {
+TEST(Plan, TheTreeOverObjectsNeedsTwoOrTwoInstances) {
   const Document two =
       parse(scene_text(R"("ambient": [1, 1, 1])", kFloor + R"(, {"name": "b", "plane": {"size": [1, 1]}})"));
-  EXPECT_EQ(needed(two, kPicture), std::set{Part::kGlobalGrid});
+  EXPECT_EQ(needed(two, kPicture), std::set{Part::kObjectTree});
   EXPECT_EQ(needed(two, kFile), std::set<Part>{});
+  const auto instanced = [](const std::string& instances) {
+    return parse(scene_text(R"("ambient": [1, 1, 1])",
+                            R"({"name": "a", "plane": {"size": [1, 1]}, "instances": )" + instances + "}"));
+  };
+  EXPECT_EQ(needed(instanced("[{}, {}]"), kPicture), std::set{Part::kObjectTree});
+  EXPECT_EQ(needed(instanced("[{}]"), kPicture), std::set<Part>{});
 }
 
 TEST(Plan, MaterialsThatNoObjectHasCountForNothing) {

@@ -113,8 +113,7 @@ TEST(SceneFaults, KeysThatComeLaterAreNotTakenSilently) {
   }
   const std::string straight =
       "\"contour\": {\"circle\": {\"radius\": 1}}, \"trajectory\": {\"line\": [[0,0,0],[0,1,0]]}";
-  for (const std::string& line : {std::string("\"plane\": {\"size\": [1, 1]}, \"instances\": []"),
-                                  std::string("\"mesh\": {\"file\": \"x.obj\", \"lod\": 1}"),
+  for (const std::string& line : {std::string("\"mesh\": {\"file\": \"x.obj\", \"lod\": 1}"),
                                   "\"sweep\": {" + straight + ", \"texture\": 1}"}) {
     EXPECT_NE(fault_of(with_object(line)).find("unknown key"), std::string::npos) << line;
   }
@@ -301,6 +300,15 @@ TEST(SceneFaults, Objects) {
        at + "39: /objects/0/scale: needs factors other than 0, which would flatten the object"},
       {with_object(plane + ", \"scale\": [1, 0, 1]"),
        at + "39: /objects/0/scale: needs factors other than 0, which would flatten the object"},
+      {with_object(plane + ", \"instances\": {}"),
+       at + "43: /objects/0/instances: needs an array, got an object"},
+      {with_object(plane + ", \"instances\": []"),
+       at + "43: /objects/0/instances: needs at least one instance; leave it out for the object by itself"},
+      {with_object(plane + ", \"instances\": [{}, {\"scale\": 0}]"),
+       at + "58: /objects/0/instances/1/scale: needs factors other than 0, which would flatten the object"},
+      {with_object(plane + ", \"instances\": [{\"name\": \"b\"}]"),
+       at + "45: /objects/0/instances/0/name: unknown key \"name\"; there is \"translate\", \"rotate_deg\", "
+            "\"scale\""},
       {with_object(plane + ", \"translate\": [0, 1e10, 0]"),
        at + "47: /objects/0/translate/1: needs to be at least -1e+09 and at most 1e+09 m, got 1e+10"},
       {with_object(plane + ", \"crease_deg\": 181"),

@@ -85,6 +85,35 @@ TEST(Tolerance, SaysWhatItRefuses) {
             std::string::npos);
 }
 
+// A sphere within 1e-4 m takes 156 cells round and half as many up: some 24,000 triangles.
+TEST(Tolerance, IsRefusedWhereItTakesMoreTrianglesThanThereMayBe) {
+  const Curve2 half_circle({ArcSegment<2>{{0, 0}, {1, 0}, {0, 1}, -90, 90}});
+  const auto problem = [](auto&& make) {
+    try {
+      make();
+    } catch (const InputError& error) {
+      return error.problem();
+    }
+    return std::string("nothing");
+  };
+  const auto revolved = [&](std::uint64_t most) {
+    return problem(
+        [&] { revolve(half_circle, {.tessellation = {.tolerance = 1e-4, .most_triangles = most}}); });
+  };
+  EXPECT_EQ(revolved(1000000), "nothing");
+  EXPECT_EQ(revolved(1000).rfind("tolerance of 0.0001 m takes ", 0), 0u) << revolved(1000);
+  EXPECT_NE(revolved(1000).find(" triangles, and there is memory for 1000; ask for a larger one"),
+            std::string::npos);
+  const auto swept = [&](std::uint64_t most) {
+    return problem([&] {
+      sweep(circle_contour(1), helix(3, 1, 2), {.tessellation = {.tolerance = 1e-3, .most_triangles = most}});
+    });
+  };
+  EXPECT_EQ(swept(10000000), "nothing");
+  EXPECT_NE(swept(100).find(" triangles, and there is memory for 100; ask for a larger one"),
+            std::string::npos);
+}
+
 TEST(Cut, TakesTheFewestChordsOfAParabola) {
   // A chord over n places of y = x^2 is off by about (n / 2)^2.
   const auto error = [](std::size_t a, std::size_t b) {

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "findings.hpp"
+#include "memory.hpp"
 #include "output.hpp"
 #include "scene_input.hpp"
 
@@ -32,6 +33,8 @@ void check(const Check& command) {
   if (!command.object.empty()) keep_object(document, command.object);
   scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kMeshFile});
   std::fill(plan.textures.begin(), plan.textures.end(), false);  // shapes have no pixels
+  require_memory(command.input.name(), scene::estimate_memory(document), 0);
+  limit_triangles(document, 0);
   const scene::Model model = scene::build(document, plan);
   const std::vector<scene::SceneFinding> findings = scene::check(document, model);
   Table table{"findings", {}};

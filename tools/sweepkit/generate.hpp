@@ -29,6 +29,7 @@ void check_model_name(const std::string& file);
 
 struct MadeFile {
   std::uint64_t objects = 0;
+  std::uint64_t instances = 0;  ///< at least as many
   std::uint64_t triangles = 0;
   std::optional<double> deviation;  ///< the largest that is known of an object in the world, metres
   std::uint64_t bytes = 0;          ///< with what stands beside it

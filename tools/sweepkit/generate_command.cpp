@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "findings.hpp"
 #include "generate.hpp"
+#include "memory.hpp"
 #include "plan_table.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/gltf.hpp"
@@ -43,12 +44,18 @@ void generate_one(const Generate& command) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
   }
+  // The file is put together in memory beside the meshes, and again as it is written.
+  const scene::MemoryEstimate needed = scene::estimate_memory(document);
+  require_memory(command.input.name(), needed, 2 * needed.bytes);
+  limit_triangles(document, 2 * scene::kLeastBytesATriangle);
   const MadeFile made = make_file(document, plan, output.file, command.gltf, !output.is_quiet);
   warn(made.findings, output);
   if (output.explains) print({{}, {plan_table(plan, made.ledger)}}, output);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   say((output.is_standard() ? "standard output" : output.file) + ": " + std::to_string(made.objects) +
-          (made.objects == 1 ? " object, " : " objects, ") + std::to_string(made.triangles) + " triangles" +
+          (made.objects == 1 ? " object, " : " objects, ") +
+          (made.instances > made.objects ? std::to_string(made.instances) + " instances, " : "") +
+          std::to_string(made.triangles) + " triangles" +
           (made.deviation ? " (by tolerance: within " + length_text(*made.deviation) + ")" : "") + ", " +
           std::to_string(made.bytes) + " bytes in " + duration_text(seconds),
       output);
@@ -82,7 +89,8 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
   const scene::Model model = scene::build(document, plan, options.images);
   const scene::GltfFile gltf = scene::make_gltf(model.scene, plan, file, options);
   write(gltf, file);
-  MadeFile made{.objects = model.scene.objects.size(), .ledger = model.ledger};
+  MadeFile made{
+      .objects = document.objects.size(), .instances = model.scene.objects.size(), .ledger = model.ledger};
   made.ledger.add(gltf.ledger);
   for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
   for (const scene::NamedBytes& part : gltf.files) made.bytes += part.bytes.size();

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "memory.hpp"
 #include "output.hpp"
 #include "scene_input.hpp"
 #include "sweepkit/error.hpp"
@@ -66,23 +67,30 @@ Record texture_row(const scene::TextureEntry& texture) {
 }
 
 // Counting needs no pixels.
-scene::Model build_shapes(const scene::Document& document) {
+scene::Model build_shapes(const std::string& file, scene::Document& document) {
+  require_memory(file, scene::estimate_memory(document), 0);
+  limit_triangles(document, 0);
   scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kMeshFile});
   std::fill(plan.textures.begin(), plan.textures.end(), false);
   return scene::build(document, plan);
 }
 
 Report scene_report(const std::string& file) {
-  const scene::Document document = scene::read_document(file);
-  const scene::Model model = build_shapes(document);
+  scene::Document document = scene::read_document(file);
+  const scene::Model model = build_shapes(file, document);
 
   Table objects{"objects", {}};
   Record total = {{"object", std::string("(all)")},
                   {"triangles", std::uint64_t{0}},
                   {"vertices", std::uint64_t{0}},
                   {"deviation", {}},
-                  {"material", {}}};
-  for (const scene::Object& object : model.scene.objects) {
+                  {"material", {}},
+                  {"instances", std::uint64_t{model.scene.objects.size()}}};
+  auto next = model.scene.objects.begin();
+  for (const scene::ObjectEntry& entry : document.objects) {
+    const scene::Object& object = *next;
+    const std::size_t instances = std::max(entry.instances.size(), std::size_t{1});
+    next += static_cast<std::ptrdiff_t>(instances);
     const scene::MeshView& mesh = model.scene.meshes[object.mesh];
     const std::optional<double> deviation = scene::deviation_of(model, object);
     objects.rows.push_back(
@@ -90,7 +98,8 @@ Report scene_report(const std::string& file) {
          {"triangles", std::uint64_t{mesh.triangles.size()}},
          {"vertices", std::uint64_t{mesh.positions.size()}},
          {"deviation", deviation ? Value(*deviation) : Value()},
-         {"material", object.material ? Value(document.materials[*object.material].name) : Value()}});
+         {"material", object.material ? Value(document.materials[*object.material].name) : Value()},
+         {"instances", std::uint64_t{instances}}});
     std::get<std::uint64_t>(total[1].second) += mesh.triangles.size();
     std::get<std::uint64_t>(total[2].second) += mesh.positions.size();
   }
@@ -164,7 +173,7 @@ Report uv_report(const Info& command, const std::string& extension) {
                                                  std::to_string(document.objects.size()) +
                                                  "; say which with --object");
   }
-  const scene::Model model = build_shapes(document);
+  const scene::Model model = build_shapes(command.file, document);
   if (!heat_map.file.empty()) write_heat_map(model.scene, heat_map, command.output);
   return {{{"file", command.file}}, {uv_table(model.scene), centroid_table(model.scene)}};
 }

@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <span>
 
 #include "commands.hpp"
 #include "findings.hpp"
+#include "memory.hpp"
 #include "output.hpp"
 #include "plan_table.hpp"
 #include "progress.hpp"
@@ -22,6 +24,14 @@ namespace {
 
 constexpr int kDeepest = 64;  // as the scene's "depth" has it
 
+const std::map<std::string, render::Accelerator> kAccelerators = {
+    {"seads", render::Accelerator::kSeads},
+    {"sweep", render::Accelerator::kSweep},
+    {"linear", render::Accelerator::kLinear},
+    {"embree", render::Accelerator::kEmbree},
+    {"auto", render::Accelerator::kAuto},
+};
+
 struct Render {
   SceneInput input;
   Output output;
@@ -30,6 +40,7 @@ struct Render {
   std::string filter{texmap::filter_name(render::Options{}.filter)};
   std::string footprint = "auto";
   std::string antialias = "off";
+  std::string accelerator = "auto";
   std::string statistics;  // a file
   std::size_t texture_megabytes = texmap::kDefaultTextureMemory >> 20;
   int depth = -1;  // the scene's
@@ -67,6 +78,41 @@ scene::Document read_document(const Render& command) {
   return document;
 }
 
+// What image textures may hold, as far as their files tell: a file that cannot be read is told of when it is.
+std::uint64_t texture_bytes(const scene::Document& document, const scene::Plan& plan) {
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < document.textures.size(); ++i) {
+    if (!plan.sampled[i]) continue;
+    try {
+      const texmap::ImageFileInfo info =
+          texmap::read_image_info(std::get<scene::ImageEntry>(document.textures[i].source).file);
+      constexpr std::uint64_t kBytesATexel = 8;  // a tile's
+      bytes +=
+          kBytesATexel * static_cast<std::uint64_t>(info.width) * static_cast<std::uint64_t>(info.height);
+    } catch (const InputError&) {
+    }
+  }
+  return std::min<std::uint64_t>(bytes, plan.texture_memory);
+}
+
+// Refuses a scene that there is no memory for: before it is built what its counts of cells say, and while it
+// is built what a tolerance has come to.
+scene::Model build(const Render& command, scene::Document& document, const scene::Plan& plan) {
+  scene::MemoryEstimate needed = scene::estimate_memory(document);
+  const auto require = [&] {
+    require_memory(command.input.name(), needed,
+                   render::estimate_memory(needed, document.width, document.height, command.options) +
+                       texture_bytes(document, plan));
+  };
+  require();
+  limit_triangles(document, render::bytes_a_triangle(command.options.accelerator));
+  scene::Model model = scene::build(document, plan);
+  needed = {.objects = model.scene.objects.size()};
+  for (const scene::MeshView& mesh : model.scene.meshes) needed.triangles += mesh.triangles.size();
+  require();
+  return model;
+}
+
 Report statistics_report(const render::Statistics& statistics, const scene::Plan& plan,
                          const scene::Ledger& ledger) {
   return {{{"eye_rays", statistics.eye_rays},
@@ -98,7 +144,14 @@ void draw(Render& command) {
                                                                      : render::Footprint::kAuto;
   command.options.supersampling = command.antialias == "3x3" ? 3 : 1;
 
-  const scene::Document document = read_document(command);
+  command.options.accelerator = kAccelerators.at(command.accelerator);
+  if (command.options.accelerator == render::Accelerator::kEmbree && !render::has_embree()) {
+    throw InputError({.file = "--accelerator"},
+                     "embree is not in this build; install Embree 3 (Debian: libembree-dev) and build again, "
+                     "or leave it to auto");
+  }
+
+  scene::Document document = read_document(command);
   const scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kPicture,
                                                   .filter = command.options.filter,
                                                   .texture_memory = command.texture_megabytes << 20,
@@ -109,7 +162,7 @@ void draw(Render& command) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
   }
-  const scene::Model model = scene::build(document, plan);
+  const scene::Model model = build(command, document, plan);
   if (!output.is_quiet) warn(scene::check(document, model, scene::Thoroughness::kQuick), output);
   const render::Picture picture = [&] {
     Progress progress(output.is_quiet);
@@ -162,6 +215,13 @@ void add_render(CLI::App& app) {
   sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")
       ->capture_default_str()
       ->check(CLI::IsMember({"off", "3x3"}));
+  sub.add_option(
+         "--accelerator", command->accelerator,
+         "How the triangles that rays meet are found: seads, the paper's grids; embree, Intel's tree, "
+         "where this build has it: a few pixels may differ; linear, all of them in turn; auto, the "
+         "fastest of ours. The picture is the same with any of ours")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"seads", "embree", "linear", "auto"}));
   sub.add_option("--depth", command->depth, "Levels of reflection, instead of the scene's")
       ->type_name("N")
       ->check(CLI::Range(0, kDeepest));

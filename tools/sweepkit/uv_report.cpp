@@ -42,6 +42,7 @@ double rounded(double ratio) {
 Table uv_table(const scene::Scene& scene) {
   Table table{"uv", {}};
   for (const scene::Object& object : scene.objects) {
+    if (object.instance > 0) continue;
     const scene::MeshView& mesh = scene.meshes[object.mesh];
     const std::vector<glm::vec3> positions = world_positions(object, mesh);
     const texmap::MappedSurface surface{positions, mesh.texcoords, mesh.triangles};
@@ -71,6 +72,7 @@ Table uv_table(const scene::Scene& scene) {
 Table centroid_table(const scene::Scene& scene) {
   Table table{"centroid error", {}};
   for (const scene::Object& object : scene.objects) {
+    if (object.instance > 0) continue;
     const scene::MeshView& mesh = scene.meshes[object.mesh];
     const std::vector<glm::vec3> positions = world_positions(object, mesh);
     for (const texmap::CentroidErrors& errors :

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sweepkit/scene/memory_estimate.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
 #include "sweepkit/texmap/image.hpp"
@@ -31,8 +32,11 @@ enum class Accelerator {
   kSeads,   ///< the paper's grids (3.3)
   kSweep,   ///< ours: boxes over blocks of the (u,v) grid, without a search
   kLinear,  ///< every triangle: the reference that tests compare the others with
-  kAuto,
+  kEmbree,  ///< Intel's, where this build has it: float32 culls, so a few pixels may differ
+  kAuto,    ///< the fastest of ours for each mesh
 };
+/// Is kEmbree in this build?
+bool has_embree();
 
 /// Pixels x..x+width-1, y..y+height-1, y down from the top.
 struct Region {
@@ -51,7 +55,7 @@ struct Options {
   int supersampling = 1;       ///< 1 to 64
   std::optional<Region> crop;  ///< this part of the picture alone, the same bytes; inside it, not empty
   int threads = 0;             ///< 0: as many as the machine has
-  Accelerator accelerator = Accelerator::kAuto;  ///< the picture is the same with any of them
+  Accelerator accelerator = Accelerator::kAuto;  ///< the picture is the same with any of ours
   std::function<void(double done)>
       on_progress;  ///< share of the picture, 0 to 1; called from any thread, one at a time
   const std::atomic<bool>* is_cancelled =
@@ -84,10 +88,18 @@ struct Picture {
   scene::Ledger ledger;
 };
 
+/// What an accelerator takes at most for a triangle while it is built.
+std::uint64_t bytes_a_triangle(Accelerator accelerator);
+
+/// About what render() and writing its picture of so many pixels take besides the scene itself and its
+/// textures, bytes.
+std::uint64_t estimate_memory(const scene::MemoryEstimate& scene, int width, int height,
+                              const Options& options = {});
+
 /// Draws the scene: rows of intersection trees, three at a time, each node's texture filtered over the
 /// neighbouring pixels' hits [Akdemir98, section 3]. The same scene gives the same bytes for any number of
 /// threads. `plan` says what may be left out; it must come from the same document and a request that fits
-/// `options`.
+/// `options`. Throws InputError for options out of range, and Cancelled.
 Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options& options = {});
 
 }  // namespace sweepkit::render

@@ -14,8 +14,8 @@ namespace sweepkit::scene {
 /// A finding about one of the scene's shapes, its point in the world.
 struct SceneFinding {
   std::string object;
-  Place place;  ///< of the shape in the scene file
-  sweep::Finding finding;
+  Place place;             ///< of the shape in the scene file
+  sweep::Finding finding;  ///< of instances, in the first
 };
 
 enum class Thoroughness {

@@ -75,7 +75,10 @@ struct ObjectEntry {
   std::string name;
   std::optional<std::size_t> material;  ///< index into Document::materials
   Placement placement;                  ///< world from object
-  std::vector<Piece> pieces;            ///< not empty
+  /// The object, placed, is drawn once for each of these, moved by it: world = instance * placement. Empty:
+  /// it is drawn once, as it stands.
+  std::vector<Placement> instances;
+  std::vector<Piece> pieces;  ///< not empty
   Place place;
 };
 

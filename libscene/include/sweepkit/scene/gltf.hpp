@@ -32,9 +32,11 @@ struct GltfFile {
   Ledger ledger;                  ///< bakes
 };
 
-/// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it. .glb holds
+/// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
+/// has several instances the node has a child for each, and they share the mesh. .glb holds
 /// everything; .gltf has its buffer and images beside it, named for `file`. The same scene gives the same
-/// bytes. Throws InputError for an unknown object or a file over 2 GiB.
+/// bytes. Throws InputError for an unknown object, one without triangles, one that an instance shears, or a
+/// file over 2 GiB.
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options);
 

@@ -30,9 +30,9 @@ enum class Part {
   kTrees,          ///< nodes below the primary hit
   kShadows,        ///< shadow rays
   kSupersampling,  ///< the larger picture that is shrunk
-  kGlobalGrid,     ///< the grid over the objects' boxes
+  kObjectTree,     ///< the tree over the objects' boxes
 };
-inline constexpr std::size_t kPartCount = static_cast<std::size_t>(Part::kGlobalGrid) + 1;
+inline constexpr std::size_t kPartCount = static_cast<std::size_t>(Part::kObjectTree) + 1;
 
 std::string_view part_name(Part part);  ///< "half-edges", "integral tables", ...
 

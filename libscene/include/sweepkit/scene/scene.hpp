@@ -37,6 +37,9 @@ struct Object {
   std::size_t mesh = 0;
   std::optional<std::size_t> material;  ///< none: the default Material
   glm::dmat4 world_from_object{1.0};    ///< affine, not singular
+  /// Which of its instances this is: those of one object stand next to each other, from 0 on, and share name,
+  /// mesh and material.
+  std::uint32_t instance = 0;
 };
 
 /// Everything a picture or a file is made from, as plain data.
@@ -45,7 +48,7 @@ struct Scene {
   std::vector<texmap::Texture> textures;  ///< a texture that nothing uses has no image
   std::vector<std::string> texture_names;
   std::vector<Material> materials;
-  std::vector<Object> objects;
+  std::vector<Object> objects;  ///< each instance is one
   std::vector<Light> lights;
   Camera camera;
   int width = 512;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -24,6 +26,8 @@ struct Tessellation {
   /// Metres. Where it is given it decides instead of the counts: the surface is no farther from the mesh than
   /// this anywhere, with few triangles where it is straight.
   std::optional<double> tolerance;
+  /// A tolerance that takes more triangles is refused, before memory is taken for them.
+  std::uint64_t most_triangles = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// More cells a side than this are refused: with 2 x 32768^2 triangles 32-bit indices are near their end.
