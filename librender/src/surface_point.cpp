@@ -65,14 +65,18 @@ SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec
 
   point.shading_normal = unit_or(
       object.normal_to_world * weighed(normals_of(*object.mesh, hit.triangle), hit), point.face_normal);
-  if (glm::dot(point.face_normal, direction) > 0) point.face_normal = -point.face_normal;
+  point.is_inside = glm::dot(point.face_normal, direction) > 0;
+  if (point.is_inside) point.face_normal = -point.face_normal;
   if (glm::dot(point.shading_normal, point.face_normal) < 0) point.shading_normal = -point.shading_normal;
   return point;
 }
 
-MirrorNormal mirror_normal(const SurfacePoint& point, const glm::dvec3& direction) {
-  const bool is_face = !(glm::dot(mirrored(direction, point.shading_normal), point.face_normal) > 0);
-  return {is_face ? point.face_normal : point.shading_normal, is_face};
+bool is_on_inner_side(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction) {
+  const TracedObject& object = tracer.object(hit.object);
+  const Corners corners = positions_of(*object.mesh, hit.triangle);
+  // As surface_point() has it, so that the two agree to the bit.
+  const glm::dvec3 face = unit_or(glm::cross(corners.b - corners.a, corners.c - corners.a), glm::dvec3(0.0));
+  return glm::dot(unit_or(object.normal_to_world * face, -direction), direction) > 0;
 }
 
 Ray leave_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& start,
@@ -84,6 +88,10 @@ Ray leave_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& s
     ray.from_triangle = hit.triangle;
   }
   return ray;
+}
+
+Ray pass_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& direction) {
+  return {point.position - point.error * point.face_normal, direction, hit.object, hit.triangle};
 }
 
 glm::dvec3 smooth_start(const Tracer& tracer, const Hit& hit, const SurfacePoint& point) {

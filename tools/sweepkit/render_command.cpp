@@ -71,6 +71,7 @@ Report statistics_report(const render::Statistics& statistics, const scene::Plan
                          const scene::Ledger& ledger) {
   return {{{"eye_rays", statistics.eye_rays},
            {"reflected_rays", statistics.reflected_rays},
+           {"refracted_rays", statistics.refracted_rays},
            {"shadow_rays", statistics.shadow_rays},
            {"nodes", statistics.nodes},
            {"textured_nodes", statistics.textured_nodes},
@@ -162,7 +163,7 @@ void add_render(CLI::App& app) {
   sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")
       ->capture_default_str()
       ->check(CLI::IsMember({"off", "3x3"}));
-  sub.add_option("--depth", command->depth, "Levels of reflection, instead of the scene's")
+  sub.add_option("--depth", command->depth, "Levels of reflection and refraction, instead of the scene's")
       ->type_name("N")
       ->check(CLI::Range(0, kDeepest));
   sub.add_option(
