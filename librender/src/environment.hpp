@@ -22,7 +22,8 @@ class Environment {
   bool reads_differentials() const { return sampler_ && texmap::reads_footprint(filter_); }
   bool is_picture() const { return sampler_.has_value(); }
 
-  /// Along a unit direction that turns by `turn_x` for a step of one pixel to the right, and by `turn_y` down.
+  /// Along a unit direction that turns by `turn_x` for a step of one pixel to the right, and by `turn_y`
+  /// down.
   glm::dvec3 color(const glm::dvec3& direction, const glm::dvec3& turn_x, const glm::dvec3& turn_y,
                    texmap::FilterThread& thread) const;
 

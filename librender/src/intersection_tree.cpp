@@ -102,8 +102,8 @@ void TreeBuilder::add_children(TreeRow& row, const Pending& parent, std::vector<
     row.refractions[index] = child;
   }
   if (shares.mirrored > 0) {
-    const Ray ray = leave_surface(node.hit, point, point.position,
-                                  glm::normalize(mirrored(node.direction, normal)));
+    const Ray ray =
+        leave_surface(node.hit, point, point.position, glm::normalize(mirrored(node.direction, normal)));
     ++counts.reflected;
     const std::int32_t child = trace(ray, node.medium, shares.mirrored);
     row.reflections[index] = child;

@@ -24,7 +24,7 @@ inline constexpr std::int32_t kNotTraced = -2;
 struct TreeNode {
   Hit hit;
   glm::dvec3 direction;
-  std::uint32_t area = 0;       ///< of the object's mesh: one piece of texture
+  std::uint32_t area = 0;        ///< of the object's mesh: one piece of texture
   std::uint32_t medium = kNone;  ///< the object that the ray ran inside of on its way here; kNone: air
 };
 

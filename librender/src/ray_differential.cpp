@@ -46,8 +46,8 @@ Turning made_unit(const glm::dvec3& vector, const glm::dvec3& moved) {
 
 Turning turning_mirrored(const glm::dvec3& direction, const glm::dvec3& turn, const Turning& at) {
   const auto& [n, dn] = at;
-  return {mirrored(direction, n), turn - 2.0 * (glm::dot(direction, n) * dn +
-                                                (glm::dot(turn, n) + glm::dot(direction, dn)) * n)};
+  return {mirrored(direction, n),
+          turn - 2.0 * (glm::dot(direction, n) * dn + (glm::dot(turn, n) + glm::dot(direction, dn)) * n)};
 }
 
 // The interpolated normal on the side of `point`, as it turns when the hit moves by `moved`.
@@ -83,7 +83,7 @@ Turning bent(const Turning& normal, const SurfacePoint& point, const glm::dvec3&
 }
 
 Turning turning_refracted(const glm::dvec3& direction, const glm::dvec3& turn, const Turning& at,
-                  const SurfacePoint& point, double eta) {
+                          const SurfacePoint& point, double eta) {
   if (eta == 1) return {direction, turn};
   const auto& [n, dn] = at;
   const double c = -glm::dot(direction, n);
@@ -91,14 +91,12 @@ Turning turning_refracted(const glm::dvec3& direction, const glm::dvec3& turn, c
   const double dc = -(glm::dot(turn, n) + glm::dot(direction, dn));
   const double db = eta * eta * c * dc / b;
   const double k = eta * c - b;
-  const Turning out =
-      made_unit(eta * direction + k * n, eta * turn + (eta * dc - db) * n + k * dn);
+  const Turning out = made_unit(eta * direction + k * n, eta * turn + (eta * dc - db) * n + k * dn);
   const glm::dvec3& g = point.face_normal;
   const double sink = -glm::dot(out.vector, g);
   const double least = kLeastRise * b;
   if (sink >= least) return out;
-  return made_unit(out.vector - (least - sink) * g,
-                   out.turn - (kLeastRise * db + glm::dot(out.turn, g)) * g);
+  return made_unit(out.vector - (least - sink) * g, out.turn - (kLeastRise * db + glm::dot(out.turn, g)) * g);
 }
 
 }  // namespace
@@ -122,7 +120,8 @@ RayDifferential reflected(const Tracer& tracer, const Hit& hit, const glm::dvec3
   const TracedObject& object = tracer.object(hit.object);
   const SurfacePoint point = surface_point(tracer, hit, direction);
   const auto turned = [&](const glm::dvec3& turn, const glm::dvec3& moved) {
-    return turning_mirrored(direction, turn, bent(turning_normal(object, hit, point, moved), point, direction, turn))
+    return turning_mirrored(direction, turn,
+                            bent(turning_normal(object, hit, point, moved), point, direction, turn))
         .turn;
   };
   return {at.x, at.y, turned(ray.direction_x, at.x), turned(ray.direction_y, at.y)};

@@ -71,6 +71,25 @@ SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec
   return point;
 }
 
+SurfaceNormals surface_normals(const Tracer& tracer, const Hit& hit) {
+  const TracedObject& object = tracer.object(hit.object);
+  const Corners corners = positions_of(*object.mesh, hit.triangle);
+  const glm::dvec3 face = glm::cross(corners.b - corners.a, corners.c - corners.a);
+  return {unit_or(object.normal_to_world * unit_or(face, glm::dvec3(0.0)), glm::dvec3(0.0)),
+          unit_or(object.normal_to_world * weighed(normals_of(*object.mesh, hit.triangle), hit),
+                  glm::dvec3(0.0))};
+}
+
+double longest_edge(const Tracer& tracer, const Hit& hit) {
+  const TracedObject& object = tracer.object(hit.object);
+  const Corners corners = positions_of(*object.mesh, hit.triangle);
+  const auto length = [&](const glm::dvec3& edge) {
+    return glm::length(glm::dmat3(object.world_from_mesh) * edge);
+  };
+  return std::max(
+      {length(corners.b - corners.a), length(corners.c - corners.b), length(corners.a - corners.c)});
+}
+
 bool is_on_inner_side(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction) {
   const TracedObject& object = tracer.object(hit.object);
   const Corners corners = positions_of(*object.mesh, hit.triangle);
@@ -81,12 +100,9 @@ bool is_on_inner_side(const Tracer& tracer, const Hit& hit, const glm::dvec3& di
 
 Ray leave_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& start,
                   const glm::dvec3& direction) {
-  Ray ray{start + point.error * point.face_normal, direction};
+  Ray ray{start + point.error * point.face_normal, direction, hit.object};
   // Towards a light that only the shading normal sees the way may lead down through the face itself.
-  if (glm::dot(direction, point.face_normal) > 0) {
-    ray.from_object = hit.object;
-    ray.from_triangle = hit.triangle;
-  }
+  if (glm::dot(direction, point.face_normal) > 0) ray.from_triangle = hit.triangle;
   return ray;
 }
 

@@ -14,11 +14,21 @@ struct SurfacePoint {
   glm::dvec3 position;
   glm::dvec3 face_normal;     ///< of the triangle
   glm::dvec3 shading_normal;  ///< interpolated
-  double error;  ///< metres: moved this far along its normal, `position` is off the triangle for certain
+  double error;    ///< metres: moved this far along its normal, `position` is off the triangle for certain
   bool is_inside;  ///< the ray came from the inner side
 };
 
 SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction);
+
+/// Both as the mesh has them, outwards; unit, where they are not 0.
+struct SurfaceNormals {
+  glm::dvec3 face;
+  glm::dvec3 shading;
+};
+SurfaceNormals surface_normals(const Tracer& tracer, const Hit& hit);
+
+/// Metres, in the world.
+double longest_edge(const Tracer& tracer, const Hit& hit);
 
 /// Did a ray along `direction` meet the triangle on its inner side?
 bool is_on_inner_side(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction);

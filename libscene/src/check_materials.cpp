@@ -31,11 +31,11 @@ std::vector<MaterialFinding> check_materials(const Document& document) {
     // Fresnel's F goes to one and 1 - F to the other.
     const double sum = diffuse + (has_fresnel ? std::max(reflect, transmit) : reflect + transmit);
     if (!(sum > 1 + kRounding)) continue;
-    const std::string terms = "diffuse " + as_written(diffuse) +
-                              (has_fresnel
-                                   ? " and the larger of reflect " + as_written(reflect) + " and transmit "
-                                   : ", reflect " + as_written(reflect) + " and transmit ") +
-                              as_written(transmit);
+    const std::string terms =
+        "diffuse " + as_written(diffuse) +
+        (has_fresnel ? " and the larger of reflect " + as_written(reflect) + " and transmit "
+                     : ", reflect " + as_written(reflect) + " and transmit ") +
+        as_written(transmit);
     findings.push_back({material.name, document.material_places[i], sum,
                         terms + " come to " + as_written(sum) + ": more light than falls on it",
                         as_written(1 / sum) + " times each of them fits"});

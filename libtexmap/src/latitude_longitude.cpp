@@ -35,9 +35,8 @@ class SphereTexels : public TexelSource {
   void copy(const PixelRect& rect, std::span<Texel> texels) const {
     const int plain = std::clamp(picture_->height() - rect.y, 0, rect.height);
     const auto texels_of = [&](int first_row, int rows) {
-      return texels.subspan(
-          static_cast<std::size_t>(first_row) * static_cast<std::size_t>(rect.width),
-          static_cast<std::size_t>(rows) * static_cast<std::size_t>(rect.width));
+      return texels.subspan(static_cast<std::size_t>(first_row) * static_cast<std::size_t>(rect.width),
+                            static_cast<std::size_t>(rows) * static_cast<std::size_t>(rect.width));
     };
     if (plain > 0) picture_->read({rect.x, rect.y, rect.width, plain}, texels_of(0, plain));
     const int half = width() / 2;
@@ -60,9 +59,9 @@ class SphereTexels : public TexelSource {
 }  // namespace
 
 ImageTexture over_sphere(const ImageTexture& picture) {
-  return {nullptr, Wrap::kRepeat,
-          std::make_shared<const SphereTexels>(picture.file ? picture.file
-                                                            : make_texel_source(picture.image))};
+  return {
+      nullptr, Wrap::kRepeat,
+      std::make_shared<const SphereTexels>(picture.file ? picture.file : make_texel_source(picture.image))};
 }
 
 glm::ivec2 size_of(const ImageTexture& picture) {
@@ -82,7 +81,8 @@ Footprint over_sphere(const glm::dvec3& direction, const glm::dvec3& dx, const g
     const double dh = (d.x * turn.x + d.z * turn.z) / h;
     return glm::dvec2((d.x * turn.z - d.z * turn.x) / (h * h), h * turn.y - d.y * dh) / kTurn;
   };
-  Footprint footprint{{0.5 + std::atan2(d.x, -d.z) / kTurn, 0.75 + std::atan2(d.y, h) / kTurn}, step(dx), step(dy)};
+  Footprint footprint{
+      {0.5 + std::atan2(d.x, -d.z) / kTurn, 0.75 + std::atan2(d.y, h) / kTurn}, step(dx), step(dy)};
   const double across = std::max(std::abs(footprint.dx.y), std::abs(footprint.dy.y));
   const double longest = kLongest * across * 2 * size.y / size.x;
   footprint.dx.x = std::clamp(footprint.dx.x, -longest, longest);

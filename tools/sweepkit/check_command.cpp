@@ -75,7 +75,8 @@ void check(const Check& command) {
 
 void add_check(CLI::App& app) {
   const auto command = std::make_shared<Check>();
-  CLI::App& sub = *app.add_subcommand("check", "Look for faults of shape (folds, crossings, cusps) and of materials");
+  CLI::App& sub =
+      *app.add_subcommand("check", "Look for faults of shape (folds, crossings, cusps) and of materials");
   add_scene_input(sub, command->input);
   sub.add_option("--object", command->object, "This object alone")->type_name("NAME");
   sub.add_flag("--strict", command->is_strict, "End with exit status 3 where there is a finding");
