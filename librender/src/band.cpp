@@ -17,15 +17,20 @@ using Clock = std::chrono::steady_clock;
 void BandCounts::add(const BandCounts& other) {
   rays.eye += other.rays.eye;
   rays.reflected += other.rays.reflected;
+  rays.refracted += other.rays.refracted;
   rays.texcoords += other.rays.texcoords;
+  rays.shares += other.rays.shares;
   shading.shadow_rays += other.shading.shadow_rays;
   shading.nodes += other.shading.nodes;
+  shading.environment_lookups += other.shading.environment_lookups;
   shading.lookups.textured += other.shading.lookups.textured;
   shading.lookups.filtered += other.shading.lookups.filtered;
   shading.lookups.differentials += other.shading.lookups.differentials;
   shade_seconds += other.shade_seconds;
   row_bytes = std::max(row_bytes, other.row_bytes);
-  link_bytes = std::max(link_bytes, other.link_bytes);
+  reflection_bytes = std::max(reflection_bytes, other.reflection_bytes);
+  refraction_bytes = std::max(refraction_bytes, other.refraction_bytes);
+  share_bytes = std::max(share_bytes, other.share_bytes);
   texcoord_bytes = std::max(texcoord_bytes, other.texcoord_bytes);
   shrink_bytes = std::max(shrink_bytes, other.shrink_bytes);
 }
@@ -94,7 +99,9 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
   }
   if (has_neighbour_rows_) counts.row_bytes = rows[0].bytes() + rows[2].bytes();
   for (const TreeRow& row : rows) {
-    counts.link_bytes += row.links.capacity() * sizeof(TreeLinks);
+    counts.reflection_bytes += row.reflections.capacity() * sizeof(row.reflections[0]);
+    counts.refraction_bytes += row.refractions.capacity() * sizeof(row.refractions[0]);
+    counts.share_bytes += row.shares.capacity() * sizeof(row.shares[0]);
     counts.texcoord_bytes += row.texcoords.capacity() * sizeof(glm::dvec2);
   }
   if (shrinker) counts.shrink_bytes = shrinker->bytes();

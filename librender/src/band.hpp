@@ -20,7 +20,9 @@ struct BandCounts {
   ShadingCounts shading;
   double shade_seconds = 0;
   std::size_t row_bytes = 0;  ///< the two neighbouring rows
-  std::size_t link_bytes = 0;
+  std::size_t reflection_bytes = 0;
+  std::size_t refraction_bytes = 0;
+  std::size_t share_bytes = 0;
   std::size_t texcoord_bytes = 0;
   std::size_t shrink_bytes = 0;
 

@@ -12,23 +12,29 @@
 namespace sweepkit::render {
 namespace {
 
-Ray reflected(const Hit& hit, const SurfacePoint& point, const glm::dvec3& direction) {
-  const glm::dvec3 out = mirrored(direction, mirror_normal(point, direction).normal);
-  return leave_surface(hit, point, point.position, glm::normalize(out));
+// What is too small to be followed on its own goes with the other part.
+Shares merged(const Shares& shares, double weight) {
+  const auto& [mirrored, refracted] = shares;
+  const bool splits = mirrored > 0 && refracted > 0;
+  if (!splits || weight * std::min(mirrored, refracted) >= kLeastWeight) return shares;
+  return mirrored > refracted ? Shares{mirrored + refracted, 0} : Shares{0, mirrored + refracted};
 }
 
 }  // namespace
 
 std::size_t TreeRow::bytes() const {
   return roots.capacity() * sizeof(roots[0]) + nodes.capacity() * sizeof(nodes[0]) +
-         texcoords.capacity() * sizeof(texcoords[0]) + links.capacity() * sizeof(links[0]);
+         texcoords.capacity() * sizeof(texcoords[0]) + reflections.capacity() * sizeof(reflections[0]) +
+         refractions.capacity() * sizeof(refractions[0]) + shares.capacity() * sizeof(shares[0]);
 }
 
 TreeBuilder::TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer)
     : scene_(scene),
       tracer_(tracer),
       needs_texcoords_(plan.needs_part(scene::Part::kTexcoords)),
-      needs_trees_(plan.needs_part(scene::Part::kTrees)) {}
+      needs_trees_(plan.needs_part(scene::Part::kTrees)),
+      needs_refractions_(plan.needs_part(scene::Part::kRefractions)),
+      needs_shares_(plan.needs_part(scene::Part::kShares)) {}
 
 std::uint32_t TreeBuilder::area_of(const Hit& hit) const {
   const std::span<const sweep::Area> areas = tracer_.object(hit.object).mesh->areas;
@@ -49,15 +55,59 @@ glm::dvec2 TreeBuilder::texcoord_of(const Hit& hit) const {
   return b + hit.a * (a - b) + hit.c * (c - b);
 }
 
-std::int32_t TreeBuilder::add_node(TreeRow& row, const Hit& hit, const Ray& ray, RayCounts& counts) const {
-  row.nodes.push_back({hit, ray.direction, area_of(hit)});
-  if (needs_trees_) row.links.emplace_back();
+std::int32_t TreeBuilder::add_node(TreeRow& row, const Hit& hit, const Ray& ray, std::uint32_t medium,
+                                   RayCounts& counts) const {
+  const scene::Material& material = material_of(scene_, hit.object);
+  // What is seen from inside was run through, wherever the ray came in.
+  if (needs_refractions_ && material.transmit > 0 && is_on_inner_side(tracer_, hit, ray.direction))
+    medium = hit.object;
+  row.nodes.push_back({hit, ray.direction, area_of(hit), medium});
+  if (needs_trees_) row.reflections.push_back(kNotTraced);
+  if (needs_refractions_) row.refractions.push_back(kNotTraced);
+  if (needs_shares_) row.shares.emplace_back();
   if (needs_texcoords_) {
-    const bool is_textured = material_of(scene_, hit.object).texture.has_value();
+    const bool is_textured = material.texture.has_value();
     row.texcoords.push_back(is_textured ? texcoord_of(hit) : glm::dvec2(0.0));
     counts.texcoords += is_textured ? 1 : 0;
   }
   return static_cast<std::int32_t>(row.nodes.size()) - 1;
+}
+
+void TreeBuilder::add_children(TreeRow& row, const Pending& parent, std::vector<Pending>& pending,
+                               RayCounts& counts) const {
+  const auto index = static_cast<std::size_t>(parent.node);
+  const TreeNode node = row.nodes[index];
+  const scene::Material& material = material_of(scene_, node.hit.object);
+  if (!scatters(material)) return;
+  const SurfacePoint point = surface_point(tracer_, node.hit, node.direction);
+  const glm::dvec3 normal = bent_normal(point, node.direction);
+  Shares shares{material.reflect, 0};
+  if (needs_shares_) {
+    shares = merged(shares_at(material, point, node.direction, normal), parent.weight);
+    row.shares[index] = shares;
+    ++counts.shares;
+  }
+  const auto trace = [&](const Ray& ray, std::uint32_t medium, double share) {
+    const Hit hit = tracer_.nearest(ray);
+    if (!hit.is_hit()) return kEscaped;
+    const std::int32_t child = add_node(row, hit, ray, medium, counts);
+    pending.push_back({child, parent.level + 1, parent.weight * share});
+    return child;
+  };
+  if (shares.refracted > 0) {
+    const double eta = relative_index(material, point.is_inside);
+    const Ray ray = pass_surface(node.hit, point, refracted(point, node.direction, normal, eta));
+    ++counts.refracted;
+    const std::int32_t child = trace(ray, point.is_inside ? kNone : node.hit.object, shares.refracted);
+    row.refractions[index] = child;
+  }
+  if (shares.mirrored > 0) {
+    const Ray ray =
+        leave_surface(node.hit, point, point.position, glm::normalize(mirrored(node.direction, normal)));
+    ++counts.reflected;
+    const std::int32_t child = trace(ray, node.medium, shares.mirrored);
+    row.reflections[index] = child;
+  }
 }
 
 void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end,
@@ -66,21 +116,22 @@ void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, int y, int first,
   row.roots.clear();
   row.nodes.clear();
   row.texcoords.clear();
-  row.links.clear();
+  row.reflections.clear();
+  row.refractions.clear();
+  row.shares.clear();
+  std::vector<Pending> pending;
   for (int x = first; x < end; ++x) {
-    Ray ray = eye_rays.through(x, y);
-    Hit hit = tracer_.nearest(ray);
+    const Ray ray = eye_rays.through(x, y);
+    const Hit hit = tracer_.nearest(ray);
     ++counts.eye;
-    std::int32_t node = hit.is_hit() ? add_node(row, hit, ray, counts) : kEscaped;
-    row.roots.push_back(node);
-    for (int level = 0; needs_trees_ && node >= 0 && level < scene_.depth; ++level) {
-      if (!(material_of(scene_, hit.object).reflect > 0)) break;
-      ray = reflected(hit, surface_point(tracer_, hit, ray.direction), ray.direction);
-      hit = tracer_.nearest(ray);
-      ++counts.reflected;
-      const std::int32_t child = hit.is_hit() ? add_node(row, hit, ray, counts) : kEscaped;
-      row.links[static_cast<std::size_t>(node)].reflection = child;
-      node = child;
+    const std::int32_t root = hit.is_hit() ? add_node(row, hit, ray, kNone, counts) : kEscaped;
+    row.roots.push_back(root);
+    if (!needs_trees_ || root < 0) continue;
+    pending.push_back({root, 0, 1});
+    while (!pending.empty()) {
+      const Pending parent = pending.back();
+      pending.pop_back();
+      if (parent.level < scene_.depth) add_children(row, parent, pending, counts);
     }
   }
 }

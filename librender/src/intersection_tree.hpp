@@ -8,13 +8,15 @@
 
 #include "eye_rays.hpp"
 #include "ray.hpp"
+#include "scattering.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
 #include "tracer.hpp"
 
 namespace sweepkit::render {
 
-/// No node: the ray escaped to the background, or was not traced because the depth ended.
+/// No node: the ray escaped to the background, or was not traced: the depth ended, nothing goes that way, or
+/// the other child stands for both.
 inline constexpr std::int32_t kEscaped = -1;
 inline constexpr std::int32_t kNotTraced = -2;
 
@@ -22,38 +24,45 @@ inline constexpr std::int32_t kNotTraced = -2;
 struct TreeNode {
   Hit hit;
   glm::dvec3 direction;
-  std::uint32_t area = 0;  ///< of the object's mesh: one piece of texture
-};
-
-/// Where the tree goes on: reflection grows one way, refraction the other (its shading is not built yet).
-struct TreeLinks {
-  std::int32_t reflection = kNotTraced;
-  std::int32_t refraction = kNotTraced;
+  std::uint32_t area = 0;        ///< of the object's mesh: one piece of texture
+  std::uint32_t medium = kNone;  ///< the object that the ray ran inside of on its way here; kNone: air
 };
 
 /// One row of the picture as intersection trees, with a pixel more at either end (the filter's border) where
-/// something is filtered. Nodes lie flat, parents before children, and link by index;
-/// (u,v) and links have their arrays only where the plan needs them. The storage is used again from row to
-/// row.
+/// something is filtered. Nodes lie flat, parents before children, and link by index: reflection grows one
+/// way, refraction the other. (u,v), links and shares have their arrays only where the plan needs them. The
+/// storage is used again from row to row.
 struct TreeRow {
   int first_pixel = 0;
   std::vector<std::int32_t> roots;  ///< node or kEscaped
   std::vector<TreeNode> nodes;
   std::vector<glm::dvec2> texcoords;
-  std::vector<TreeLinks> links;
+  std::vector<std::int32_t> reflections;  ///< by node: node, kEscaped or kNotTraced
+  std::vector<std::int32_t> refractions;
+  std::vector<Shares> shares;  ///< of the children; without them a material's `reflect`
 
   std::int32_t root(int x) const { return roots[static_cast<std::size_t>(x - first_pixel)]; }
   std::int32_t reflection(std::int32_t node) const {
-    return links.empty() ? kNotTraced : links[static_cast<std::size_t>(node)].reflection;
+    return reflections.empty() ? kNotTraced : reflections[static_cast<std::size_t>(node)];
+  }
+  std::int32_t refraction(std::int32_t node) const {
+    return refractions.empty() ? kNotTraced : refractions[static_cast<std::size_t>(node)];
   }
   std::size_t bytes() const;
 };
+
+/// A node whose share of the pixel would be split into one below this and another is not split: the larger
+/// part goes on with both shares. Two hundred and fifty-six such parts make a level of 8 bits in light of 1,
+/// no light is lost, and a pixel's tree has no more than 2 / kLeastWeight leaves however deep it may grow.
+inline constexpr double kLeastWeight = 1.0 / 65536;
 
 /// Rays by kind.
 struct RayCounts {
   std::uint64_t eye = 0;
   std::uint64_t reflected = 0;
+  std::uint64_t refracted = 0;
   std::uint64_t texcoords = 0;
+  std::uint64_t shares = 0;  ///< nodes whose shares were worked out
 };
 
 /// Fills rows of trees.
@@ -65,7 +74,17 @@ class TreeBuilder {
   void build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end, RayCounts& counts) const;
 
  private:
-  std::int32_t add_node(TreeRow& row, const Hit& hit, const Ray& ray, RayCounts& counts) const;
+  /// A node that waits for its children, and its share of the pixel.
+  struct Pending {
+    std::int32_t node;
+    int level;
+    double weight;
+  };
+
+  std::int32_t add_node(TreeRow& row, const Hit& hit, const Ray& ray, std::uint32_t medium,
+                        RayCounts& counts) const;
+  void add_children(TreeRow& row, const Pending& parent, std::vector<Pending>& pending,
+                    RayCounts& counts) const;
   std::uint32_t area_of(const Hit& hit) const;
   glm::dvec2 texcoord_of(const Hit& hit) const;
 
@@ -73,6 +92,8 @@ class TreeBuilder {
   const Tracer& tracer_;
   bool needs_texcoords_;
   bool needs_trees_;
+  bool needs_refractions_;
+  bool needs_shares_;
 };
 
 }  // namespace sweepkit::render

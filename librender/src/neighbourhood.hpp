@@ -19,10 +19,13 @@ using RowWindow = std::array<const TreeRow*, 3>;
 /// none.
 using Neighbourhood = std::array<std::array<std::int32_t, 3>, 3>;
 
-/// How a node was reached: from which one, or from the eye through which pixel.
+enum class Step { kReflected, kRefracted };
+
+/// How a node was reached: by which step from which one, or from the eye through which pixel.
 struct NodePath {
   const TreeNode* node;
   const NodePath* from;
+  Step step;  ///< with `from` alone
   const EyeRays* eye_rays;
   int x;
   int y;

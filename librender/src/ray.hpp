@@ -13,10 +13,10 @@ inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max()
 
 struct Ray {
   glm::dvec3 origin;
-  glm::dvec3 direction;  ///< any length but 0; t counts in lengths of it
-  /// The triangle it leaves on its outer side, if any: a straight ray does not meet that one again, whatever
+  glm::dvec3 direction;               ///< any length but 0; t counts in lengths of it
+  std::uint32_t from_object = kNone;  ///< that it leaves, if any
+  /// The triangle of it that it leaves for good: a straight ray does not meet that one again, whatever
   /// rounding says of a sliver.
-  std::uint32_t from_object = kNone;
   std::uint32_t from_triangle = kNone;
 
   bool leaves(std::uint32_t object, std::uint32_t triangle) const {

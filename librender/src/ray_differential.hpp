@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "ray.hpp"
+#include "sweepkit/scene/material.hpp"
 #include "sweepkit/texmap/footprint.hpp"
 #include "tracer.hpp"
 
@@ -30,10 +31,15 @@ struct HitDifferential {
 HitDifferential at_hit(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
                        const RayDifferential& ray);
 
-/// Of the ray that is mirrored there: the interpolated normal turns with the hit. Where that
-/// ray is mirrored at the face itself, the normal stays.
+/// Of the ray that is mirrored there: the normal that it is mirrored at turns with the hit.
 RayDifferential reflected(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
                           const RayDifferential& ray, const HitDifferential& at);
+
+/// Of the ray that goes on through the surface. Not finite at the critical angle. Precondition: no total
+/// reflection.
+RayDifferential refracted(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
+                          const RayDifferential& ray, const HitDifferential& at,
+                          const scene::Material& material);
 
 /// What the pixel covers of the texture about `uv`, (u,v) of the hit.
 texmap::Footprint footprint_of(const Tracer& tracer, const Hit& hit, const HitDifferential& at,

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "band.hpp"
+#include "environment.hpp"
 #include "intersection_tree.hpp"
 #include "shading.hpp"
 #include "sweepkit/error.hpp"
@@ -50,10 +51,13 @@ Samplers make_samplers(const scene::Scene& scene, const scene::Plan& plan, texma
 // read from nothing could be drawn.
 std::size_t memory_for_tiles(const scene::Scene& scene, const scene::Plan& plan) {
   std::size_t held = 0;
+  const auto hold = [&](const texmap::ImageTexture& image) {
+    held += image.file ? texmap::bytes_held(*image.file) : image.image ? image.image->bytes() : 0;
+  };
   for (const texmap::Texture& texture : scene.textures) {
-    if (const auto* image = std::get_if<texmap::ImageTexture>(&texture))
-      held += image->file ? texmap::bytes_held(*image->file) : image->image ? image->image->bytes() : 0;
+    if (const auto* image = std::get_if<texmap::ImageTexture>(&texture)) hold(*image);
   }
+  if (scene.environment) hold(*scene.environment);
   const std::size_t all = plan.texture_memory;
   return std::max(all / 4, all - std::min(all, held));
 }
@@ -77,14 +81,19 @@ void count_accelerators(const Tracer& tracer, Statistics& statistics) {
   statistics.max_triangles = at(1.0);
 }
 
-void fill_ledger(scene::Ledger& ledger, const BandCounts& counts, const Tracer& tracer) {
+void fill_ledger(scene::Ledger& ledger, const BandCounts& counts, const Tracer& tracer,
+                 bool has_dimmed_shadows) {
   using scene::Part;
   ledger[Part::kTexcoords] = {counts.texcoord_bytes, counts.rays.texcoords};
   ledger[Part::kFilteredNodes] = {0, counts.shading.lookups.filtered};
   ledger[Part::kDifferentials] = {0, counts.shading.lookups.differentials};
   ledger[Part::kRows] = {counts.row_bytes, counts.row_bytes > 0 ? 2u : 0u};
-  ledger[Part::kTrees] = {counts.link_bytes, counts.rays.reflected};
+  ledger[Part::kTrees] = {counts.reflection_bytes, counts.rays.reflected + counts.rays.refracted};
+  ledger[Part::kRefractions] = {counts.refraction_bytes, counts.rays.refracted};
+  ledger[Part::kShares] = {counts.share_bytes, counts.rays.shares};
   ledger[Part::kShadows] = {0, counts.shading.shadow_rays};
+  ledger[Part::kDimmedShadows] = {0, has_dimmed_shadows ? counts.shading.shadow_rays : 0};
+  ledger[Part::kEnvironment] = {0, counts.shading.environment_lookups};
   ledger[Part::kSupersampling] = {counts.shrink_bytes, counts.shrink_bytes > 0 ? 1u : 0u};
   if (tracer.has_object_tree()) ledger[Part::kObjectTree] = {tracer.object_tree().bytes(), 1};
 }
@@ -134,7 +143,8 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   picture.image = texmap::make_float_image(region.width, region.height);
   const TreeBuilder builder(scene, plan, tracer);
   const TextureLookup textures(scene, plan, tracer, samplers, options.filter, options.footprint);
-  const Shader shader(scene, plan, tracer, textures);
+  const Environment environment(scene, plan, options.filter, tiles);
+  const Shader shader(scene, plan, tracer, textures, environment);
   const BandPainter painter(scene, plan, builder, shader, tiles, region, options.supersampling);
   const int bands = (region.height + kBandRows - 1) / kBandRows;
   std::vector<BandCounts> counts(static_cast<std::size_t>(bands));
@@ -161,17 +171,23 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   for (const BandCounts& band : counts) total.add(band);
   statistics.eye_rays = total.rays.eye;
   statistics.reflected_rays = total.rays.reflected;
+  statistics.refracted_rays = total.rays.refracted;
   statistics.shadow_rays = total.shading.shadow_rays;
   statistics.nodes = total.shading.nodes;
   statistics.filtered_nodes = total.shading.lookups.filtered;
   statistics.differential_nodes = total.shading.lookups.differentials;
   statistics.textured_nodes = total.shading.lookups.textured;
   statistics.shade_thread_seconds = total.shade_seconds;
-  fill_ledger(picture.ledger, total, tracer);
+  fill_ledger(picture.ledger, total, tracer, scene.has_dimmed_shadows);
   std::size_t sums = 0;
   for (const auto& sampler : samplers) sums += sampler ? sampler->table_bytes() : 0;
-  picture.ledger[texmap::reads_table(options.filter) ? scene::Part::kTables : scene::Part::kTiles] = {
-      tiles.counts().peak_bytes + sums, tiles.counts().made};
+  // The background's tiles lie among the textures'.
+  const scene::Part tile_part = plan.needs_part(scene::Part::kTables)  ? scene::Part::kTables
+                                : plan.needs_part(scene::Part::kTiles) ? scene::Part::kTiles
+                                                                       : scene::Part::kEnvironment;
+  picture.ledger[tile_part].bytes += tiles.counts().peak_bytes + sums;
+  picture.ledger[tile_part].calls += tiles.counts().made;
+  picture.ledger[scene::Part::kEnvironment].bytes += environment.table_bytes();
   return picture;
 }
 

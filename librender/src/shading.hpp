@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
+#include "environment.hpp"
 #include "neighbourhood.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
@@ -17,6 +18,7 @@ namespace sweepkit::render {
 struct ShadingCounts {
   std::uint64_t shadow_rays = 0;
   std::uint64_t nodes = 0;
+  std::uint64_t environment_lookups = 0;
   LookupCounts lookups;
 };
 
@@ -24,10 +26,11 @@ struct ShadingCounts {
 class Shader {
  public:
   Shader(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer,
-         const TextureLookup& textures)
+         const TextureLookup& textures, const Environment& environment)
       : scene_(scene),
         tracer_(tracer),
         textures_(textures),
+        environment_(environment),
         looks_round_(plan.needs_part(scene::Part::kFilteredNodes)) {}
 
   /// Pixel (x, y), whose eye ray is one of `eye_rays`.
@@ -35,12 +38,23 @@ class Shader {
                    ShadingCounts& counts) const;
 
  private:
+  // What the node sends back along the ray that arrives at it, and what of that is left where the ray began.
   glm::dvec3 node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
                   texmap::FilterThread& filter, ShadingCounts& counts) const;
+  glm::dvec3 dimmed_node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+                         texmap::FilterThread& filter, ShadingCounts& counts) const;
+  // What comes back to the path's last node from the ray that goes on by `step`.
+  glm::dvec3 child(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path, Step step,
+                   texmap::FilterThread& filter, ShadingCounts& counts) const;
+  glm::dvec3 escaped(const NodePath& path, Step step, texmap::FilterThread& filter,
+                     ShadingCounts& counts) const;
+  glm::dvec3 background(const glm::dvec3& direction, const RayDifferential& ray, texmap::FilterThread& filter,
+                        ShadingCounts& counts) const;
 
   const scene::Scene& scene_;
   const Tracer& tracer_;
   const TextureLookup& textures_;
+  const Environment& environment_;
   bool looks_round_;  // are footprints made from neighbours?
 };
 

@@ -65,25 +65,49 @@ SurfacePoint surface_point(const Tracer& tracer, const Hit& hit, const glm::dvec
 
   point.shading_normal = unit_or(
       object.normal_to_world * weighed(normals_of(*object.mesh, hit.triangle), hit), point.face_normal);
-  if (glm::dot(point.face_normal, direction) > 0) point.face_normal = -point.face_normal;
+  point.is_inside = glm::dot(point.face_normal, direction) > 0;
+  if (point.is_inside) point.face_normal = -point.face_normal;
   if (glm::dot(point.shading_normal, point.face_normal) < 0) point.shading_normal = -point.shading_normal;
   return point;
 }
 
-MirrorNormal mirror_normal(const SurfacePoint& point, const glm::dvec3& direction) {
-  const bool is_face = !(glm::dot(mirrored(direction, point.shading_normal), point.face_normal) > 0);
-  return {is_face ? point.face_normal : point.shading_normal, is_face};
+SurfaceNormals surface_normals(const Tracer& tracer, const Hit& hit) {
+  const TracedObject& object = tracer.object(hit.object);
+  const Corners corners = positions_of(*object.mesh, hit.triangle);
+  const glm::dvec3 face = glm::cross(corners.b - corners.a, corners.c - corners.a);
+  return {unit_or(object.normal_to_world * unit_or(face, glm::dvec3(0.0)), glm::dvec3(0.0)),
+          unit_or(object.normal_to_world * weighed(normals_of(*object.mesh, hit.triangle), hit),
+                  glm::dvec3(0.0))};
+}
+
+double longest_edge(const Tracer& tracer, const Hit& hit) {
+  const TracedObject& object = tracer.object(hit.object);
+  const Corners corners = positions_of(*object.mesh, hit.triangle);
+  const auto length = [&](const glm::dvec3& edge) {
+    return glm::length(glm::dmat3(object.world_from_mesh) * edge);
+  };
+  return std::max(
+      {length(corners.b - corners.a), length(corners.c - corners.b), length(corners.a - corners.c)});
+}
+
+bool is_on_inner_side(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction) {
+  const TracedObject& object = tracer.object(hit.object);
+  const Corners corners = positions_of(*object.mesh, hit.triangle);
+  // As surface_point() has it, so that the two agree to the bit.
+  const glm::dvec3 face = unit_or(glm::cross(corners.b - corners.a, corners.c - corners.a), glm::dvec3(0.0));
+  return glm::dot(unit_or(object.normal_to_world * face, -direction), direction) > 0;
 }
 
 Ray leave_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& start,
                   const glm::dvec3& direction) {
-  Ray ray{start + point.error * point.face_normal, direction};
+  Ray ray{start + point.error * point.face_normal, direction, hit.object};
   // Towards a light that only the shading normal sees the way may lead down through the face itself.
-  if (glm::dot(direction, point.face_normal) > 0) {
-    ray.from_object = hit.object;
-    ray.from_triangle = hit.triangle;
-  }
+  if (glm::dot(direction, point.face_normal) > 0) ray.from_triangle = hit.triangle;
   return ray;
+}
+
+Ray pass_surface(const Hit& hit, const SurfacePoint& point, const glm::dvec3& direction) {
+  return {point.position - point.error * point.face_normal, direction, hit.object, hit.triangle};
 }
 
 glm::dvec3 smooth_start(const Tracer& tracer, const Hit& hit, const SurfacePoint& point) {

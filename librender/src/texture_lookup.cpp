@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 
+#include "path_differential.hpp"
+
 namespace sweepkit::render {
 
 std::optional<glm::vec3> TextureLookup::filtered(const RowWindow& rows, const Neighbourhood& nodes,
@@ -90,16 +92,8 @@ std::optional<texmap::PatternFootprint> TextureLookup::pattern_footprint(const R
   return texmap::PatternFootprint{here, *dx, *dy};
 }
 
-RayDifferential TextureLookup::differential(const NodePath& path) const {
-  if (path.from == nullptr) return path.eye_rays->differential(path.x, path.y);
-  const RayDifferential ray = differential(*path.from);
-  const TreeNode& mirror = *path.from->node;
-  return reflected(tracer_, mirror.hit, mirror.direction, ray,
-                   at_hit(tracer_, mirror.hit, mirror.direction, ray));
-}
-
 HitDifferential TextureLookup::moved_hit(const NodePath& path) const {
-  return at_hit(tracer_, path.node->hit, path.node->direction, differential(path));
+  return at_hit(tracer_, path.node->hit, path.node->direction, arriving(scene_, tracer_, path));
 }
 
 glm::dvec3 TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,

@@ -48,8 +48,6 @@ class TextureLookup {
                      LookupCounts& counts) const;
 
  private:
-  // Of the ray that the path ends with. No further ray is traced.
-  RayDifferential differential(const NodePath& path) const;
   HitDifferential moved_hit(const NodePath& path) const;
   std::optional<glm::vec3> filtered(const RowWindow& rows, const Neighbourhood& nodes,
                                     const texmap::TextureSampler& sampler,

@@ -38,6 +38,17 @@ void read_camera(const Node& node, Document& document) {
   document.has_view = true;
 }
 
+void read_background(const Node& node, const std::filesystem::path& folder, Document& document) {
+  if (!node.is_object()) {
+    document.background = node.color();
+    return;
+  }
+  ObjectReader reader(node);
+  const Node image = reader.get("image");
+  document.environment = TextureEntry{"background", ImageEntry{folder / image.text()}, image.place()};
+  reader.finish();
+}
+
 Document read_document(const JsonDocument& json, const std::filesystem::path& folder) {
   const Node root(json.root, "");
   ObjectReader reader(root);
@@ -46,12 +57,12 @@ Document read_document(const JsonDocument& json, const std::filesystem::path& fo
   if (version.number() != 1)
     version.fail("this program reads version 1 of the scene format, got " + to_text(version.number()));
   if (const auto node = reader.find("camera")) read_camera(*node, document);
-  if (const auto node = reader.find("background")) document.background = node->color();
+  if (const auto node = reader.find("background")) read_background(*node, folder, document);
   if (const auto node = reader.find("ambient")) {
     document.ambient = node->color();
     document.has_ambient = true;
   }
-  if (const auto node = reader.find("depth")) document.depth = node->integer(0, 64, " reflections");
+  if (const auto node = reader.find("depth")) document.depth = node->integer(0, 64, " levels");
   if (const auto node = reader.find("lights")) {
     for (const Node& light : node->items()) document.lights.push_back(read_light(light));
   }
@@ -59,6 +70,7 @@ Document read_document(const JsonDocument& json, const std::filesystem::path& fo
   if (const auto node = reader.find("materials")) {
     for (const auto& [name, material] : ObjectReader(*node).members()) {
       document.materials.push_back(read_material(name, material, document.textures));
+      document.material_places.push_back(material.place());
     }
   }
   const Node objects = reader.get("objects");

@@ -51,14 +51,15 @@ StoredImage read_image(const ImageEntry& source, ImageStore* images) {
 }
 
 // Counts what it cost in the ledger's row: nothing where another scene has paid already.
-texmap::Texture load_texture(const TextureEntry& entry, const Plan& plan, ImageStore* images, Cost& cost) {
+texmap::Texture load_texture(const TextureEntry& entry, const Plan& plan, bool is_sampled, ImageStore* images,
+                             Cost& cost) {
   if (const auto* procedural = std::get_if<texmap::Procedural>(&entry.source)) {
     cost.calls += 1;
     return *procedural;
   }
   const auto& source = std::get<ImageEntry>(entry.source);
   try {
-    if (plan.needs_part(Part::kTiles) || plan.needs_part(Part::kTables)) {
+    if (is_sampled) {
       auto file = texmap::open_image(source.file, source.color_space, plan.texture_memory);
       cost.calls += 1;
       cost.bytes += texmap::bytes_held(*file);
@@ -168,6 +169,7 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
   scene.depth = document.depth;
   scene.materials = document.materials;
   scene.lights = document.lights;
+  scene.has_dimmed_shadows = plan.needs_part(Part::kDimmedShadows);
 
   scene.objects.reserve(count_objects(document));
   for (const ObjectEntry& entry : document.objects) {
@@ -181,11 +183,17 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
       model.ledger[Part::kHalfEdges].calls += 1;
     }
   }
+  const bool has_samplers = plan.needs_part(Part::kTiles) || plan.needs_part(Part::kTables);
   for (std::size_t i = 0; i < document.textures.size(); ++i) {
     scene.textures.emplace_back();
     scene.texture_names.push_back(document.textures[i].name);
     if (!plan.textures[i]) continue;
-    scene.textures.back() = load_texture(document.textures[i], plan, images, model.ledger[Part::kTextures]);
+    scene.textures.back() =
+        load_texture(document.textures[i], plan, has_samplers, images, model.ledger[Part::kTextures]);
+  }
+  if (plan.needs_part(Part::kEnvironment)) {
+    scene.environment = std::get<texmap::ImageTexture>(
+        load_texture(*document.environment, plan, true, images, model.ledger[Part::kEnvironment]));
   }
   scene.camera = document.camera;
   if (!document.has_view) frame(scene);

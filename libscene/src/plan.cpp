@@ -18,6 +18,8 @@ struct Usage {
   bool has_procedural = false;
   bool reads_uv = false;
   bool reflects = false;
+  bool transmits = false;
+  bool has_fresnel = false;  // on what reflects or transmits
   bool has_mesh_file = false;
 };
 
@@ -30,6 +32,9 @@ Usage usage_of(const Document& document) {
     if (!object.material) continue;
     const Material& material = document.materials[*object.material];
     usage.reflects |= material.reflect > 0;
+    usage.transmits |= material.transmit > 0;
+    usage.has_fresnel |=
+        material.fresnel != Fresnel::kNone && (material.reflect > 0 || material.transmit > 0);
     if (!material.texture) continue;
     usage.textures[*material.texture] = true;
     usage.has_texture = true;
@@ -49,9 +54,10 @@ Usage usage_of(const Document& document) {
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",         "(u,v) layouts", "textures",       "baked textures",    "integral tables",
-      "texture tiles",      "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers",
-      "intersection trees", "shadow rays",   "supersampling",  "tree over objects"};
+      "half-edges",         "(u,v) layouts", "textures",         "baked textures",    "integral tables",
+      "texture tiles",      "(u,v) at hits", "filtered nodes",   "ray differentials", "row buffers",
+      "intersection trees", "refractions",   "shares by angle",  "shadow rays",       "dimmed shadows",
+      "background image",   "supersampling", "tree over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -111,12 +117,31 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kRows, has_neighbours,
               has_neighbours ? "the filter looks at the rows above and below"
                              : "one row is enough where no neighbour is looked at");
-  const bool has_trees = usage.reflects && document.depth > 0;
+  const bool has_paths = usage.reflects || usage.transmits;
+  const bool has_trees = has_paths && document.depth > 0;
+  const std::string no_depth = "the depth is 0";
   picture_row(Part::kTrees, has_trees,
-              has_trees        ? "materials in use reflect"
-              : usage.reflects ? "the depth is 0"
-                               : "no material in use reflects");
+              has_trees   ? "materials in use reflect or transmit"
+              : has_paths ? no_depth
+                          : "no material in use reflects or transmits");
+  const bool has_refractions = usage.transmits && document.depth > 0;
+  picture_row(Part::kRefractions, has_refractions,
+              has_refractions   ? "materials in use transmit"
+              : usage.transmits ? no_depth
+                                : "no material in use transmits");
+  const bool varies = usage.transmits || usage.has_fresnel;
+  picture_row(Part::kShares, varies && document.depth > 0,
+              !varies               ? "no share depends on the angle"
+              : document.depth == 0 ? no_depth
+              : usage.has_fresnel   ? "materials in use have Fresnel's shares"
+                                    : "total reflection mirrors what is transmitted elsewhere");
   picture_row(Part::kShadows, has_light, has_light ? "there is a light" : "there is no light, only ambient");
+  picture_row(Part::kDimmedShadows, has_light && usage.transmits,
+              !usage.transmits ? "no material in use transmits"
+              : has_light      ? "materials in use transmit, and there is a light"
+                               : "there is no light, only ambient");
+  picture_row(Part::kEnvironment, document.environment.has_value(),
+              document.environment ? "the background is an image" : "the background is a colour");
   picture_row(Part::kSupersampling, request.is_supersampled,
               request.is_supersampled ? "it was asked for" : "it was not asked for");
   const bool has_several =

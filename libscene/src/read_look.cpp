@@ -136,6 +136,15 @@ Material read_material(const std::string& name, const Node& node, const std::vec
   }
   if (const auto reflect = reader.find("reflect"))
     material.reflect = static_cast<float>(reflect->number({.low = 0, .high = 1}));
+  if (const auto transmit = reader.find("transmit"))
+    material.transmit = static_cast<float>(transmit->number({.low = 0, .high = 1}));
+  // A bubble in water has 0.75, germanium 4.
+  if (const auto ior = reader.find("ior"))
+    material.ior = static_cast<float>(ior->number({.low = 0.1, .high = 10}));
+  // Up to what nothing passes a micrometre of.
+  if (const auto absorption = reader.find("absorption")) material.absorption = absorption->color(1e9);
+  if (const auto fresnel = reader.find("fresnel"))
+    material.fresnel = static_cast<Fresnel>(fresnel->choice({"none", "schlick", "exact"}));
   reader.finish();
   return material;
 }

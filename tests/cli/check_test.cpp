@@ -52,6 +52,17 @@ TEST(Check, EndsWith3WhenStrictAndThereIsAFinding) {
   EXPECT_EQ(workshop.sweepkit({"check", "none.json", "--strict"}).status, 2);
 }
 
+TEST(Check, TellsAMaterialThatGivesMoreLightThanFallsOnIt) {
+  const Workshop workshop;
+  workshop.write("s.json",
+                 scene_of(kBall, R"("materials": {"m": {"diffuse": [0.9, 0.9, 0.9], "reflect": 0.2}})"));
+  const Outcome run = workshop.sweepkit({"check", "s.json", "--strict"});
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_TRUE(has(run.out, "/materials/m")) << run.out;
+  EXPECT_TRUE(has(run.out, "diffuse 0.9, reflect 0.2 and transmit 0 come to 1.1")) << run.out;
+  EXPECT_TRUE(has(run.out, "0.9091 times each of them fits")) << run.out;
+}
+
 TEST(Check, GenerateAndRenderWarnInALineAndGoOn) {
   const Workshop workshop;
   workshop.write("s.json", scene_of(kFold));

@@ -51,7 +51,8 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
   const auto parts = parts_of(run.out);
   for (const char* name : {"half-edges", "(u,v) layouts", "textures", "baked textures", "integral tables",
                            "texture tiles", "(u,v) at hits", "filtered nodes", "ray differentials",
-                           "row buffers", "intersection trees", "supersampling", "tree over objects"}) {
+                           "row buffers", "intersection trees", "refractions", "shares by angle",
+                           "dimmed shadows", "background image", "supersampling", "tree over objects"}) {
     expect_left_out(parts, name);
   }
   EXPECT_EQ(parts.at("shadow rays").needed, "true");
@@ -65,7 +66,7 @@ TEST(Explain, OfAGenerateShowsThatNoPictureIsDrawn) {
   for (const auto& [name, part] : parts_of(run.out)) expect_left_out(parts_of(run.out), name);
 }
 
-TEST(Explain, OfASceneThatNeedsEverythingCountsEverythingButHalfEdgesLayoutsBakesAndTables) {
+TEST(Explain, OfASceneThatNeedsNearlyEverythingCountsAllButHalfEdgesLayoutsBakesTablesAndWhatGlassNeeds) {
   const Workshop workshop;
   const Outcome run =
       workshop.sweepkit({"render", SWEEPKIT_SAMPLES "/scenes/vase_and_cup.json", "-o", "p.png", "--explain",
@@ -73,7 +74,8 @@ TEST(Explain, OfASceneThatNeedsEverythingCountsEverythingButHalfEdgesLayoutsBake
   ASSERT_EQ(run.status, 0) << run.err;
   for (const auto& [name, part] : parts_of(run.out)) {
     if (name == "half-edges" || name == "(u,v) layouts" || name == "baked textures" ||
-        name == "integral tables") {
+        name == "integral tables" || name == "refractions" || name == "shares by angle" ||
+        name == "dimmed shadows" || name == "background image") {
       expect_left_out(parts_of(run.out), name);
     } else {
       EXPECT_EQ(part.needed, "true") << name;

@@ -20,9 +20,10 @@ TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrObjectTree) {
       R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   const Picture picture = stage.draw();
-  for (const Part part : {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles,
-                          Part::kTexcoords, Part::kFilteredNodes, Part::kDifferentials, Part::kRows,
-                          Part::kTrees, Part::kSupersampling, Part::kObjectTree}) {
+  for (const Part part :
+       {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles, Part::kTexcoords,
+        Part::kFilteredNodes, Part::kDifferentials, Part::kRows, Part::kTrees, Part::kRefractions,
+        Part::kShares, Part::kDimmedShadows, Part::kEnvironment, Part::kSupersampling, Part::kObjectTree}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
   }
@@ -50,6 +51,29 @@ TEST(LeavingOut, EveryPartThatIsNeededShowsUp) {
   }
 }
 
+TEST(LeavingOut, WhatReflectsAloneHasNoRefractionListNoSharesAndPlainShadows) {
+  const Stage stage(
+      R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
+    "materials": {"m": {"reflect": 0.5}},
+    "objects": [{"name": "a", "material": "m", "plane": {"size": [4, 4]}}]})");
+  const Picture picture = stage.draw();
+  for (const Part part : {Part::kRefractions, Part::kShares, Part::kDimmedShadows})
+    expect_nothing(picture.ledger, part);
+  EXPECT_FALSE(stage.model.scene.has_dimmed_shadows);
+  EXPECT_EQ(picture.statistics.refracted_rays, 0u);
+  EXPECT_GT(picture.ledger[Part::kTrees].calls, 0u);
+}
+
+TEST(LeavingOut, WhatTransmitsShowsUp) {
+  const Stage stage(
+      R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
+    "materials": {"m": {"transmit": 0.5}},
+    "objects": [{"name": "a", "material": "m", "plane": {"size": [4, 4]}}]})");
+  const Picture picture = stage.draw();
+  for (const Part part : {Part::kTrees, Part::kRefractions, Part::kShares, Part::kDimmedShadows})
+    EXPECT_GT(picture.ledger[part].calls, 0u) << scene::part_name(part);
+}
+
 TEST(LeavingOut, FootprintsFromOneSourceCostNothingOfTheOther) {
   Stage stage(R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
     "textures": {"t": {"procedural": "checker"}}, "materials": {"m": {"texture": "t"}},
@@ -70,8 +94,8 @@ TEST(LeavingOut, DoesNotChangeThePicture) {
       R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 48, "height": 48},
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   scene::Plan everything = test::plan_for(stage.document, {});
-  for (const Part part :
-       {Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees, Part::kObjectTree}) {
+  for (const Part part : {Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
+                          Part::kRefractions, Part::kShares, Part::kObjectTree}) {
     everything.needs[static_cast<std::size_t>(part)].is_needed = true;
   }
   EXPECT_EQ(test::texels(stage.draw()), test::texels(render(stage.model.scene, everything, {})));

@@ -10,6 +10,7 @@
 
 #include "draw.hpp"
 #include "eye_rays.hpp"
+#include "scattering.hpp"
 #include "surface_point.hpp"
 #include "sweepkit/texmap/image_error.hpp"
 
@@ -63,7 +64,7 @@ std::optional<Way> follow(const Tracer& tracer, const EyeRays& rays, int x, int 
     const SurfacePoint point = surface_point(tracer, way.first, ray.direction);
     differential = reflected(tracer, way.first, ray.direction, differential, way.at);
     ray = leave_surface(way.first, point, point.position,
-                        mirrored(ray.direction, mirror_normal(point, ray.direction).normal));
+                        mirrored(ray.direction, bent_normal(point, ray.direction)));
     way.last = tracer.nearest(ray);
     if (!way.last.is_hit() || way.last.object != 0) return std::nullopt;
     way.at = at_hit(tracer, way.last, ray.direction, differential);

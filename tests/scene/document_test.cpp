@@ -37,7 +37,8 @@ const std::string kEverything = R"(// line
     "sky": {"procedural": "clouds", "coverage": 0.3}
   },
   "materials": {
-    "m": {"diffuse": [0.1, 0.2, 0.3], "texture": "stone", "specular": [0.4, 0.5, 0.6], "shininess": 7, "reflect": 0.5},
+    "m": {"diffuse": [0.1, 0.2, 0.3], "texture": "stone", "specular": [0.4, 0.5, 0.6], "shininess": 7, "reflect": 0.5,
+          "transmit": 0.25, "ior": 1.5, "absorption": [1, 2, 3000000], "fresnel": "schlick"},
     "plain": {}
   },
   "objects": [
@@ -109,7 +110,18 @@ TEST(Document, HoldsWhatTheFileSays) {
   EXPECT_EQ(material.specular, glm::vec3(0.4f, 0.5f, 0.6f));
   EXPECT_EQ(material.shininess, 7);
   EXPECT_EQ(material.reflect, 0.5f);
+  EXPECT_EQ(material.transmit, 0.25f);
+  EXPECT_EQ(material.ior, 1.5f);
+  EXPECT_EQ(material.absorption, glm::vec3(1, 2, 3e6f));
+  EXPECT_EQ(material.fresnel, Fresnel::kSchlick);
   EXPECT_EQ(document.materials[1].diffuse, glm::vec3(0.8f));
+  EXPECT_EQ(document.materials[1].transmit, 0);
+  EXPECT_EQ(document.materials[1].ior, 1);
+  EXPECT_EQ(document.materials[1].absorption, glm::vec3(0));
+  EXPECT_EQ(document.materials[1].fresnel, Fresnel::kNone);
+  ASSERT_EQ(document.material_places.size(), 2u);
+  EXPECT_EQ(document.material_places[1].pointer, "/materials/plain");
+  EXPECT_FALSE(document.environment);
 
   ASSERT_EQ(document.objects.size(), 3u);
   const ObjectEntry& pipe = document.objects[0];
@@ -144,6 +156,13 @@ TEST(Document, HoldsWhatTheFileSays) {
   EXPECT_EQ(set.pieces[0].tessellation.contour, 5) << "a part starts from what the object says";
   EXPECT_EQ(set.pieces[0].tessellation.trajectory, 6);
   EXPECT_EQ(std::get<SweepShape>(set.pieces[1].shape).trajectory.segments().size(), 2u);
+}
+
+TEST(Document, ABackgroundIsAColourOrAnImageBesideTheSceneFile) {
+  const Document document = parse(scene_text(R"("background": {"image": "sky.exr"})"));
+  ASSERT_TRUE(document.environment);
+  EXPECT_EQ(std::get<ImageEntry>(document.environment->source).file, "folder/sky.exr");
+  EXPECT_EQ(document.environment->place.pointer, "/background/image");
 }
 
 TEST(Document, DefaultsAreTheFormats) {

@@ -179,6 +179,18 @@ TEST(Model, TexturesThatCannotBeReadAreToldWithFileAndPlace) {
   std::filesystem::remove(file);
 }
 
+TEST(Model, ABackgroundThatCannotBeReadIsToldWithFileAndPlaceAndReadForPicturesAlone) {
+  const Document document = parse(scene_text(R"("background": {"image": "none.exr"})"));
+  try {
+    build(document, plan(document, {.product = Request::Product::kPicture}));
+    ADD_FAILURE() << "it was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().pointer, "/background/image");
+    EXPECT_NE(std::string(error.what()).find("folder/none.exr"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(build(document, plan(document, {.product = Request::Product::kMeshFile})).scene.environment);
+}
+
 TEST(Model, TexturesThatNothingUsesAreNotRead) {
   const Model model = build_text(scene_text(
       R"("textures": {"t": {"image": "not there.png"}}, "materials": {"unused": {"texture": "t"}})"));

@@ -118,6 +118,31 @@ TEST(Plan, TreesNeedAReflectionAndADepth) {
             std::set<Part>{});
 }
 
+TEST(Plan, RefractionsNeedWhatTransmitsAndADepth) {
+  EXPECT_EQ(needed(scene_of(R"("transmit": 0.5)"), kPicture),
+            (std::set{Part::kTrees, Part::kRefractions, Part::kShares}));
+  EXPECT_EQ(needed(scene_of(R"("transmit": 0.5)", R"("ambient": [1, 1, 1], "depth": 0)"), kPicture),
+            std::set<Part>{});
+}
+
+TEST(Plan, SharesAtNodesNeedAnAngleThatTheyDependOn) {
+  EXPECT_EQ(needed(scene_of(R"("reflect": 0.5, "ior": 1.5, "fresnel": "exact")"), kPicture),
+            (std::set{Part::kTrees, Part::kShares}));
+  EXPECT_EQ(needed(scene_of(R"("ior": 1.5, "fresnel": "exact")"), kPicture), std::set<Part>{});
+}
+
+TEST(Plan, DimmedShadowsNeedALightAndWhatTransmits) {
+  const Document lit = scene_of(R"("transmit": 0.5)", R"("lights": [{"point": [0, 1, 0]}], "depth": 0)");
+  EXPECT_EQ(needed(lit, kPicture), (std::set{Part::kShadows, Part::kDimmedShadows}));
+  EXPECT_EQ(needed(lit, kFile), std::set<Part>{});
+}
+
+TEST(Plan, ABackgroundImageIsForPicturesAlone) {
+  const Document document = scene_of("", R"("ambient": [1, 1, 1], "background": {"image": "sky.exr"})");
+  EXPECT_EQ(needed(document, kPicture), std::set{Part::kEnvironment});
+  EXPECT_EQ(needed(document, kFile), std::set<Part>{});
+}
+
 TEST(Plan, ShadowsNeedALightAndTheDefaultLightIsOne) {
   EXPECT_EQ(needed(scene_of("", R"("lights": [{"point": [0, 1, 0]}])"), kPicture), std::set{Part::kShadows});
   EXPECT_EQ(needed(parse(scene_text("")), kPicture), std::set{Part::kShadows});

@@ -195,6 +195,8 @@ TEST(SampleScenes, HaveNoFindings) {
     std::fill(shapes.textures.begin(), shapes.textures.end(), false);
     for (const SceneFinding& found : check(document, build(document, shapes)))
       ADD_FAILURE() << entry.path() << ": " << found.object << ": " << found.finding.problem;
+    for (const MaterialFinding& found : check_materials(document))
+      ADD_FAILURE() << entry.path() << ": " << found.material << ": " << found.problem;
     ++scenes;
   }
   EXPECT_GE(scenes, 18u);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 #include "commands.hpp"
 #include "findings.hpp"
@@ -52,20 +53,33 @@ void check(const Check& command) {
     row.insert(row.end(), {{"problem", f.problem}, {"cure", f.cure}});
     table.rows.push_back(std::move(row));
   }
+  const std::vector<scene::MaterialFinding> of_materials = scene::check_materials(document);
+  Table materials{"material findings", {}};
+  for (const scene::MaterialFinding& found : of_materials) {
+    std::string place = to_prefix(found.place);
+    place.resize(place.size() - 2);  // of a message: ends in ": "
+    materials.rows.push_back({{"material", found.material},
+                              {"place", std::move(place)},
+                              {"sum", std::round(1e6 * found.sum) / 1e6},
+                              {"problem", found.problem},
+                              {"cure", found.cure}});
+  }
   const std::size_t objects = document.objects.size();
+  const std::size_t found = findings.size() + of_materials.size();
   print({{{"file", command.input.name()},
           {"objects", static_cast<std::uint64_t>(objects)},
-          {"found", static_cast<std::uint64_t>(findings.size())}},
-         {std::move(table)}},
+          {"found", static_cast<std::uint64_t>(found)}},
+         {std::move(table), std::move(materials)}},
         command.output);
-  if (command.is_strict && !findings.empty()) throw FoundFaults();
+  if (command.is_strict && found > 0) throw FoundFaults();
 }
 
 }  // namespace
 
 void add_check(CLI::App& app) {
   const auto command = std::make_shared<Check>();
-  CLI::App& sub = *app.add_subcommand("check", "Look for faults of shape: folds, crossings, cusps");
+  CLI::App& sub =
+      *app.add_subcommand("check", "Look for faults of shape (folds, crossings, cusps) and of materials");
   add_scene_input(sub, command->input);
   sub.add_option("--object", command->object, "This object alone")->type_name("NAME");
   sub.add_flag("--strict", command->is_strict, "End with exit status 3 where there is a finding");

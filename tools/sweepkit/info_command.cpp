@@ -44,10 +44,9 @@ Value texture_name(const scene::Document& document, const scene::Material& mater
 }
 
 Record texture_row(const scene::TextureEntry& texture) {
-  static constexpr const char* kKinds[] = {"checker", "tiles", "bands", "marble"};
   if (const auto* procedural = std::get_if<texmap::Procedural>(&texture.source)) {
     return {{"texture", texture.name},
-            {"kind", std::string(kKinds[static_cast<std::size_t>(procedural->kind)])},
+            {"kind", std::string(texmap::kProceduralNames[static_cast<std::size_t>(procedural->kind)])},
             {"width", {}},
             {"height", {}},
             {"file", {}}};
@@ -107,10 +106,13 @@ Report scene_report(const std::string& file) {
   for (const scene::Material& material : document.materials) {
     materials.rows.push_back({{"material", material.name},
                               {"texture", texture_name(document, material)},
-                              {"reflect", as_written(material.reflect)}});
+                              {"reflect", as_written(material.reflect)},
+                              {"transmit", as_written(material.transmit)},
+                              {"ior", as_written(material.ior)}});
   }
   Table textures{"textures", {}};
   for (const scene::TextureEntry& texture : document.textures) textures.rows.push_back(texture_row(texture));
+  if (document.environment) textures.rows.push_back(texture_row(*document.environment));
   return {{{"file", file},
            {"kind", std::string("scene")},
            {"width", static_cast<std::uint64_t>(document.width)},

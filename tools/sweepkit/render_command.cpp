@@ -25,10 +25,8 @@ namespace {
 constexpr int kDeepest = 64;  // as the scene's "depth" has it
 
 const std::map<std::string, render::Accelerator> kAccelerators = {
-    {"seads", render::Accelerator::kSeads},
-    {"sweep", render::Accelerator::kSweep},
-    {"linear", render::Accelerator::kLinear},
-    {"embree", render::Accelerator::kEmbree},
+    {"seads", render::Accelerator::kSeads},   {"sweep", render::Accelerator::kSweep},
+    {"linear", render::Accelerator::kLinear}, {"embree", render::Accelerator::kEmbree},
     {"auto", render::Accelerator::kAuto},
 };
 
@@ -117,6 +115,7 @@ Report statistics_report(const render::Statistics& statistics, const scene::Plan
                          const scene::Ledger& ledger) {
   return {{{"eye_rays", statistics.eye_rays},
            {"reflected_rays", statistics.reflected_rays},
+           {"refracted_rays", statistics.refracted_rays},
            {"shadow_rays", statistics.shadow_rays},
            {"nodes", statistics.nodes},
            {"textured_nodes", statistics.textured_nodes},
@@ -217,12 +216,13 @@ void add_render(CLI::App& app) {
       ->check(CLI::IsMember({"off", "3x3"}));
   sub.add_option(
          "--accelerator", command->accelerator,
-         "How the triangles that rays meet are found: seads, the paper's grids; embree, Intel's tree, "
+         "How the triangles that rays meet are found: seads, the paper's grids; sweep, boxes over the blocks "
+         "of a sweep's own grid; embree, Intel's tree, "
          "where this build has it: a few pixels may differ; linear, all of them in turn; auto, the "
          "fastest of ours. The picture is the same with any of ours")
       ->capture_default_str()
-      ->check(CLI::IsMember({"seads", "embree", "linear", "auto"}));
-  sub.add_option("--depth", command->depth, "Levels of reflection, instead of the scene's")
+      ->check(CLI::IsMember({"seads", "sweep", "linear", "embree", "auto"}));
+  sub.add_option("--depth", command->depth, "Levels of reflection and refraction, instead of the scene's")
       ->type_name("N")
       ->check(CLI::Range(0, kDeepest));
   sub.add_option(

@@ -67,6 +67,7 @@ struct Cancelled {};
 struct Statistics {
   std::uint64_t eye_rays = 0;
   std::uint64_t reflected_rays = 0;
+  std::uint64_t refracted_rays = 0;
   std::uint64_t shadow_rays = 0;
   std::uint64_t nodes = 0;               ///< intersection-tree nodes shaded
   std::uint64_t filtered_nodes = 0;      ///< of them, filtered over their neighbours

@@ -30,4 +30,15 @@ enum class Thoroughness {
 std::vector<SceneFinding> check(const Document& document, const Model& model,
                                 Thoroughness thoroughness = Thoroughness::kWhole);
 
+/// A material that gives back more light than falls on it: what it scatters, mirrors and transmits comes to
+/// more than 1. With Fresnel's shares only the larger of mirrored and transmitted counts.
+struct MaterialFinding {
+  std::string material;
+  Place place;
+  double sum;
+  std::string problem;  ///< "diffuse 0.9, reflect 0.2 and transmit 0 come to 1.1"
+  std::string cure;     ///< "0.909 times each of them fits"
+};
+std::vector<MaterialFinding> check_materials(const Document& document);
+
 }  // namespace sweepkit::scene

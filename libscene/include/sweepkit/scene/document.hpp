@@ -102,13 +102,15 @@ struct Document {
   int width = 512;        ///< pixels, from the camera
   int height = 512;
   glm::vec3 background{0.0f};
+  std::optional<TextureEntry> environment;  ///< an image in place of `background`
   glm::vec3 ambient{0.0f};
   bool has_ambient = false;
-  int depth = 6;  ///< levels of reflection; 0 is the primary hit alone
+  int depth = 6;  ///< levels of reflection and refraction; 0 is the primary hit alone
   std::vector<Light> lights;
   std::vector<TextureEntry> textures;
   std::vector<Material> materials;
-  std::vector<ObjectEntry> objects;  ///< not empty; names are unique
+  std::vector<Place> material_places;  ///< one a material
+  std::vector<ObjectEntry> objects;    ///< not empty; names are unique
 };
 
 /// A value that takes another's place in a scene: POINTER (RFC 6901; the last part may be a new key, or "-"

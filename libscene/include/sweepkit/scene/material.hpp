@@ -9,8 +9,15 @@
 
 namespace sweepkit::scene {
 
+/// How the mirrored and the refracted share depend on the angle.
+enum class Fresnel {
+  kNone,     ///< not at all: `reflect` and `transmit` as they are; total reflection mirrors both
+  kSchlick,  ///< reflect F and transmit (1 - F), F by Schlick's polynomial
+  kExact,    ///< the same, F by Fresnel's equations for unpolarized light
+};
+
 /// Whitted's terms. colour = ambient d + sum over lights of V I (d N.L + specular (N.H)^shininess) + reflect
-/// R, with d = diffuse times the texture.
+/// R + transmit T, with d = diffuse times the texture.
 struct Material {
   std::string name;  ///< empty: the default material
   glm::vec3 diffuse{0.8f};
@@ -18,6 +25,10 @@ struct Material {
   glm::vec3 specular{0.0f};
   float shininess = 50;
   float reflect = 0;
+  float transmit = 0;
+  float ior = 1;               ///< index of refraction inside the object; outside is air, 1
+  glm::vec3 absorption{0.0f};  ///< per metre inside: light is dimmed by exp(-absorption metres)
+  Fresnel fresnel = Fresnel::kNone;
 };
 
 }  // namespace sweepkit::scene

@@ -28,7 +28,11 @@ enum class Part {
   kDifferentials,  ///< derivatives of rays carried along their paths
   kRows,           ///< the two neighbouring row buffers
   kTrees,          ///< nodes below the primary hit
+  kRefractions,    ///< children by refraction
+  kShares,         ///< the mirrored and the refracted share kept at nodes, where they depend on the angle
   kShadows,        ///< shadow rays
+  kDimmedShadows,  ///< shadow rays followed through what transmits
+  kEnvironment,    ///< a picture as background, looked up by direction
   kSupersampling,  ///< the larger picture that is shrunk
   kObjectTree,     ///< the tree over the objects' boxes
 };

@@ -54,8 +54,10 @@ struct Scene {
   int width = 512;
   int height = 512;
   glm::vec3 background{0.0f};
+  std::optional<texmap::ImageTexture> environment;  ///< in place of `background`: latitude and longitude
   glm::vec3 ambient{0.0f};
   int depth = 6;
+  bool has_dimmed_shadows = false;  ///< an object in use transmits, and there is light: build() asks the plan
 };
 
 }  // namespace sweepkit::scene
