@@ -35,6 +35,7 @@ constexpr double kPixelVariance = 1.0 / 6;
 constexpr double kRim = 8;  // (1 - q)^2 has a variance of 1/8 of the squared radius along each axis
 constexpr double kLeastVariance = 0.25;
 constexpr double kLongest = 64;
+constexpr double kLongestBalanced = 32;
 constexpr double kMostTextures = 4;  // an ellipse's radius along u or v
 
 struct Covariance {
@@ -51,7 +52,7 @@ struct Ellipse {
   double minor = 0;
 };
 
-Ellipse ellipse_of(glm::dvec2 dx, glm::dvec2 dy, glm::dvec2 size) {
+Ellipse ellipse_of(glm::dvec2 dx, glm::dvec2 dy, glm::dvec2 size, double longest) {
   // Radii beyond a few textures change nothing where the texture repeats, and little where it does not.
   const glm::dvec2 reach = std::sqrt(kRim * kPixelVariance) * (glm::abs(dx) + glm::abs(dy));
   const glm::dvec2 most = kMostTextures * size;
@@ -71,7 +72,7 @@ Ellipse ellipse_of(glm::dvec2 dx, glm::dvec2 dy, glm::dvec2 size) {
   // ellipse's.
   const double area = kPixelVariance * (dx.x * dy.y - dx.y * dy.x);
   const double minor = area * area / major;
-  const double least = std::max(kLeast, major * (1 / (kLongest * kLongest)));
+  const double least = std::max(kLeast, major / (longest * longest));
   if (minor >= least) return {m, major, minor};
   // To the minor axis alone: its projection is (major I - m) / (major - minor).
   if (half_difference > 0) {
@@ -128,14 +129,14 @@ void add_texels(const Texel* texel, int step, int first, int last, float top, fl
 }
 
 // The coarsest level whose texels are small enough for the ellipse. Balanced, the variance along the minor
-// axis may be less by the cube root of a quarter of the aspect, but no less than two fifths: for x, the
-// variance over kLeastVariance, that is x >= (4 / aspect)^(1/3), or x^6 aspect^2 >= 16.
+// axis may be less by the cube root of half the aspect: for x, the variance over kLeastVariance, that is x >=
+// (2 / aspect)^(1/3), or x^6 aspect^2 >= 4.
 int level_for(const Pyramid& pyramid, const Ellipse& ellipse, Detail detail) {
   const auto is_small_enough = [&](glm::dvec2 scale) {
     const double least = std::min(scale.x, scale.y);
     const double x = ellipse.minor * least * least / kLeastVariance;
     if (x >= 1 || detail == Detail::kFull) return x >= 1;
-    return x >= 0.4 && (x * x * x) * (x * x * x) * ellipse.major >= 16 * ellipse.minor;
+    return (x * x * x) * (x * x * x) * ellipse.major >= 4 * ellipse.minor;
   };
   // Where sizes halve evenly, minor 4^-level is kLeastVariance at this level or the next; others are near.
   const int last = pyramid.level_count() - 1;
@@ -216,8 +217,9 @@ glm::vec3 elliptical_average(const Pyramid& pyramid, Wrap wrap, const Footprint&
   const bool is_finite = std::isfinite(steps.x + steps.y) && std::isfinite(uv.x + uv.y);
   if (!is_finite) return mean_of_all(pyramid, scratch.tiles);
   // v runs upwards, rows run down: the ellipse is mirrored with them.
-  const Ellipse ellipse = ellipse_of(footprint.dx * glm::dvec2(size.x, -size.y),
-                                     footprint.dy * glm::dvec2(size.x, -size.y), size);
+  const Ellipse ellipse =
+      ellipse_of(footprint.dx * glm::dvec2(size.x, -size.y), footprint.dy * glm::dvec2(size.x, -size.y), size,
+                 detail == Detail::kFull ? kLongest : kLongestBalanced);
   const int level = level_for(pyramid, ellipse, detail);
   const glm::dvec2 scale = pyramid.level(level).scale;
   const Covariance& m = ellipse.covariance;
