@@ -194,7 +194,7 @@ Float4 weighed_sum(const Pyramid& pyramid, int level, Wrap wrap, const Covarianc
         }
       }
       for (int k = 0; k < down.count; ++k) {
-        const auto at = static_cast<std::size_t>(first_row + k);
+        const auto at = static_cast<std::size_t>(first_row) + static_cast<std::size_t>(k);
         const int first = std::max(spans.first[at], first_column);
         const int last = std::min(spans.last[at], last_column);
         const Texel* row = tile + (down.offset + k * down.step) * kTileSide;

@@ -97,8 +97,8 @@ void Pyramid::make_of(const TileKey& key, Texel* texels) const {
   const int height = std::min(kTileSide, size.height - y0);
   if (key.level == 0) {
     if (width == kTileSide)
-      return source_->read({x0, y0, width, height},
-                           std::span(texels, static_cast<std::size_t>(width * height)));
+      return source_->read({x0, y0, width, height}, std::span(texels, static_cast<std::size_t>(width) *
+                                                                          static_cast<std::size_t>(height)));
     const std::vector<Texel> region = read<Texel>(0, {x0, y0, width, height});
     for (int y = 0; y < height; ++y) std::copy_n(region.begin() + y * width, width, texels + y * kTileSide);
     return;
@@ -112,7 +112,9 @@ void Pyramid::make_of(const TileKey& key, Texel* texels) const {
     for (int top = 0; top < height; top += kRows) {
       const int rows = std::min(kRows, height - top);
       const PixelRect rect{2 * x0, 2 * (y0 + top), 2 * width, 2 * rows};
-      read<Texel>(below, rect, std::span(region).first(static_cast<std::size_t>(4 * rows * width)));
+      read<Texel>(below, rect,
+                  std::span(region).first(std::size_t{4} * static_cast<std::size_t>(rows) *
+                                          static_cast<std::size_t>(width)));
       const Texel* upper = region.data();
       for (int y = top; y < top + rows; ++y, upper += 4 * width) {
         const Texel* lower = upper + 2 * width;
