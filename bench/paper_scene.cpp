@@ -3,7 +3,8 @@
 //
 // The paper's Fig. 5, 6 and 7 again: the scene point sampled, filtered, and filtered with 3x3 supersampling,
 // each with its whole time and its error against a reference of 16 x 16 point samples a pixel under a box of
-// one pixel - on the floor, inside the mirror and over the whole picture.
+// one pixel - on the floor, inside the mirror and over the whole picture. Ends with 1 where no filter that is
+// better than the paper's costs at most 150 ns a filtered node.
 //
 // Usage: paper_scene SCENE FOLDER    writes FOLDER/{point,filtered,filtered_3x3,reference}.png and
 // paper_scene.csv
@@ -29,6 +30,7 @@ namespace {
 using namespace sweepkit;
 
 constexpr int kRuns = 7;  // odd, so that the median is a run
+constexpr double kMostNanoseconds = 150;
 
 struct Method {
   std::string name;
@@ -44,11 +46,12 @@ scene::Plan plan_for(const scene::Document& document, const render::Options& opt
 
 // What filtering adds to shading, a node: both pictures drawn in turn on one thread, the median of the
 // differences.
-double ns_a_filtered_node(const scene::Document& document, const scene::Model& model) {
+double ns_a_filtered_node(const scene::Document& document, const scene::Model& model,
+                          render::Options filtered) {
+  filtered.threads = 1;
   std::vector<double> nanoseconds;
   for (int run = 0; run < kRuns; ++run) {
     const render::Options point{.filter = render::Filter::kPoint, .threads = 1};
-    const render::Options filtered{.threads = 1};
     const render::Statistics without =
         render::render(model.scene, plan_for(document, point), point).statistics;
     const render::Statistics with =
@@ -105,16 +108,15 @@ int main(int argc, char** argv) {
     const render::Options paper{.filter = render::Filter::kIntegral1,
                                 .footprint = render::Footprint::kNeighbours};
     const render::Options box{.filter = render::Filter::kIntegral1};
+    const render::Options trilinear{.filter = render::Filter::kTrilinear};
     const render::Options filtered{};
     const render::Options filtered_3x3{.supersampling = 3};
     const render::Options reference_options{.filter = render::Filter::kPoint, .supersampling = 16};
     const scene::Model model = scene::build(document, plan_for(document, filtered));
 
-    const std::vector<Method> methods = {{"point", point},
-                                         {"paper", paper},
-                                         {"integral-1", box},
-                                         {"filtered", filtered},
-                                         {"filtered_3x3", filtered_3x3}};
+    const std::vector<Method> methods = {{"point", point},       {"paper", paper},
+                                         {"integral-1", box},    {"trilinear", trilinear},
+                                         {"filtered", filtered}, {"filtered_3x3", filtered_3x3}};
     std::vector<render::Picture> pictures(methods.size());
     std::vector<bench::Contender> contenders;
     for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -152,8 +154,29 @@ int main(int argc, char** argv) {
     std::printf(
         "paper's filter / point, whole time: %.2f (the paper: 20 min / 15 min = 1.33); filtered / point: "
         "%.2f\n",
-        times.results[1].ratio.median, times.results[3].ratio.median);
-    std::printf("ns a filtered node, tables apart, one thread: %.0f\n", ns_a_filtered_node(document, model));
+        times.results[1].ratio.median, times.results[4].ratio.median);
+    // Tables apart, one thread. One of those whose error is below the paper's filter's everywhere is cheap.
+    bool is_cheap = false;
+    const auto is_better = [&](const texmap::Image& image) {
+      const texmap::Image& paper_image = pictures[1].image;
+      return texmap::rmse(image, reference.image, floor) <
+                 texmap::rmse(paper_image, reference.image, floor) &&
+             texmap::rmse(image, reference.image, mirror) <
+                 texmap::rmse(paper_image, reference.image, mirror) &&
+             texmap::rmse(image, reference.image) < texmap::rmse(paper_image, reference.image);
+    };
+    for (const std::size_t i : {2u, 3u, 4u}) {
+      const double cost = ns_a_filtered_node(document, model, methods[i].options);
+      const bool is_better_here = is_better(pictures[i].image);
+      is_cheap = is_cheap || (is_better_here && cost <= kMostNanoseconds);
+      std::printf("%s: %.0f ns a filtered node; error %s the paper's filter's\n", methods[i].name.c_str(),
+                  cost, is_better_here ? "below" : "NOT below");
+    }
+    if (!is_cheap) {
+      std::printf("NOT AS CLAIMED: none that is better than the paper's filter costs %.0f ns or less\n",
+                  kMostNanoseconds);
+      return 1;
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "paper_scene: %s\n", error.what());
     return 1;

@@ -19,7 +19,8 @@ namespace sweepkit::texmap {
 ///          2-4     2.0 / 4.4 / 15        8-16   0.88 / 1.1 / 1.8      over   0.70 / 0.72 / 0.74
 enum class Detail {
   kFull,      ///< a least variance of 0.25 for every footprint
-  kBalanced,  ///< 0.25 (4 / aspect)^(1/3) between 0.25 and 0.1: what a texel less costs is the same all over
+  kBalanced,  ///< 0.25 (2 / aspect)^(1/3), up to an aspect of 32: what a texel less costs is the same all
+              ///< over
 };
 
 /// The elliptical weighted average of a texture under a pixel's footprint [Heckbert89]. Footprints of any

@@ -9,10 +9,13 @@ namespace {
 
 // The nearest of the places that are the same one: a step over the seam is a small step. Only a whole period
 // is taken off, so a box that is wide for a good reason stays wide.
+double nearest(double at, double hit, double period) {
+  // Most are: no step then is longer than half a period.
+  const bool is_nearest = !(period > 0) || std::abs(at - hit) <= 0.5 * period;
+  return is_nearest ? at : at - period * std::nearbyint((at - hit) / period);
+}
 glm::dvec2 nearest(glm::dvec2 uv, glm::dvec2 hit, glm::dvec2 period) {
-  if (period.x > 0) uv.x -= period.x * std::nearbyint((uv.x - hit.x) / period.x);
-  if (period.y > 0) uv.y -= period.y * std::nearbyint((uv.y - hit.y) / period.y);
-  return uv;
+  return {nearest(uv.x, hit.x, period.x), nearest(uv.y, hit.y, period.y)};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 
 #include "pyramid.hpp"
@@ -22,6 +23,12 @@ glm::vec3 trilinear(const Pyramid& pyramid, Wrap wrap, const Footprint& footprin
 
 /// The coarsest level: one texel.
 glm::vec3 mean_of_all(const Pyramid& pyramid, TileReader& tiles);
+
+/// The floor, where the processor may have no instruction for it. Precondition: |value| < 2^63.
+inline double whole(double value) {
+  const auto towards_zero = static_cast<double>(static_cast<std::int64_t>(value));
+  return towards_zero > value ? towards_zero - 1 : towards_zero;
+}
 
 /// (u,v) taken to where the texture is the same and integers suffice: into the first period, or, where the
 /// texture is clamped, to a few textures past its edge at most.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sweepkit/texmap/tile_cache.hpp"
@@ -51,6 +52,8 @@ class Pyramid : public TileMaker {
   void make(const TileKey& key, std::byte* texels) const override;
 
  private:
+  template <class Texel>
+  void read(int level, const PixelRect& rect, std::span<Texel> region) const;
   template <class Texel>
   void make_of(const TileKey& key, Texel* texels) const;
 

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "texel_source.hpp"
 
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "sweepkit/texmap/image_file.hpp"
@@ -37,8 +41,16 @@ class WholeImage : public TexelSource {
       const Sample* from =
           samples.data() + channels * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width) +
                                        static_cast<std::size_t>(rect.x));
-      for (int x = 0; x < rect.width; ++x, from += channels)
-        *to++ = Texel{from[0], from[green], from[blue], one};
+      int x = 0;
+      if constexpr (std::is_same_v<Texel, IntegerTexel> && std::endian::native == std::endian::little) {
+        // RGB as they lie, and what follows them covered by the one; the last has nothing to follow it.
+        for (; channels >= 3 && x + 1 < rect.width; ++x, from += channels) {
+          std::uint64_t texel;
+          std::memcpy(&texel, from, sizeof texel);
+          *to++ = std::bit_cast<IntegerTexel>(texel | std::uint64_t{0xffff} << 48);
+        }
+      }
+      for (; x < rect.width; ++x, from += channels) *to++ = Texel{from[0], from[green], from[blue], one};
     }
   }
 
