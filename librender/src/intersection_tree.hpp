@@ -64,10 +64,12 @@ class TreeBuilder {
   /// Pixels first..end-1 of row y.
   void build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end, RayCounts& counts) const;
 
+  /// (u,v) of a hit. Precondition: its mesh has any.
+  glm::dvec2 texcoord_of(const Hit& hit) const;
+
  private:
   std::int32_t add_node(TreeRow& row, const Hit& hit, const Ray& ray, RayCounts& counts) const;
   std::uint32_t area_of(const Hit& hit) const;
-  glm::dvec2 texcoord_of(const Hit& hit) const;
 
   const scene::Scene& scene_;
   const Tracer& tracer_;

@@ -3,6 +3,7 @@
 #include "sweepkit/scene/model.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,10 +11,17 @@
 
 #include "make_mesh.hpp"
 #include "sweepkit/scene/image_store.hpp"
+#include "sweepkit/scene/turntable.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 // Runs `make` and gives what it finds wrong with the geometry the piece's place in the file.
 template <class Make>
@@ -105,12 +113,6 @@ void frame(Scene& scene) {
   camera.eye = camera.target + distance * glm::normalize(glm::dvec3(0.55, 0.5, 1.0));
 }
 
-// From over the viewer's left shoulder.
-DirectionalLight default_light(const Camera& camera) {
-  const glm::dmat3 axes = world_from_camera(camera);
-  return {axes * glm::normalize(glm::dvec3(0.5, -0.7, -1.0)), glm::vec3(1.0f)};
-}
-
 }  // namespace
 
 std::optional<double> deviation_of(const Model& model, const Object& object) {
@@ -131,6 +133,7 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
   scene.materials = document.materials;
   scene.lights = document.lights;
 
+  Clock::time_point start = Clock::now();
   for (const ObjectEntry& entry : document.objects) {
     model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts]));
     const sweep::Mesh& mesh = *model.meshes.back();
@@ -142,15 +145,18 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
       model.ledger[Part::kHalfEdges].calls += 1;
     }
   }
+  model.mesh_seconds = seconds_since(start);
+  start = Clock::now();
   for (std::size_t i = 0; i < document.textures.size(); ++i) {
     scene.textures.emplace_back();
     scene.texture_names.push_back(document.textures[i].name);
     if (!plan.textures[i]) continue;
     scene.textures.back() = load_texture(document.textures[i], plan, images, model.ledger[Part::kTextures]);
   }
+  model.texture_seconds = seconds_since(start);
   scene.camera = document.camera;
   if (!document.has_view) frame(scene);
-  if (scene.lights.empty() && !document.has_ambient) scene.lights.push_back(default_light(scene.camera));
+  look_from(scene, document, scene.camera);
   return model;
 }
 

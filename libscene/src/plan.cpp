@@ -49,9 +49,10 @@ Usage usage_of(const Document& document) {
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",         "(u,v) layouts", "textures",       "baked textures",    "integral tables",
-      "texture tiles",      "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers",
-      "intersection trees", "shadow rays",   "supersampling",  "grid over objects"};
+      "half-edges",        "(u,v) layouts", "textures",           "baked textures",
+      "integral tables",   "texture tiles", "(u,v) at hits",      "filtered nodes",
+      "ray differentials", "row buffers",   "intersection trees", "shadow rays",
+      "supersampling",     "layers",        "grid over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -75,7 +76,7 @@ Plan plan(const Document& document, const Request& request) {
 
   row(Part::kHalfEdges, request.has_half_edges,
       request.has_half_edges ? "someone walks them" : "nobody walks them");
-  const bool shows_uv = !is_picture || usage.reads_uv;
+  const bool shows_uv = !is_picture || usage.reads_uv || request.shows_texcoords;
   row(Part::kLayouts, usage.has_mesh_file && shows_uv,
       !usage.has_mesh_file ? "no object is a mesh file"
       : shows_uv           ? "mesh files without (u,v) are laid out over the texture"
@@ -119,6 +120,8 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kShadows, has_light, has_light ? "there is a light" : "there is no light, only ambient");
   picture_row(Part::kSupersampling, request.is_supersampled,
               request.is_supersampled ? "it was asked for" : "it was not asked for");
+  picture_row(Part::kLayers, request.has_layers,
+              request.has_layers ? "they were asked for" : "they were not asked for");
   const bool has_several = document.objects.size() > 1;
   picture_row(Part::kGlobalGrid, has_several,
               has_several ? "there are several objects" : "there is one object");

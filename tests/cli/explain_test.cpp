@@ -49,9 +49,10 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
   const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "ball.png", "--explain", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const auto parts = parts_of(run.out);
-  for (const char* name : {"half-edges", "(u,v) layouts", "textures", "baked textures", "integral tables",
-                           "texture tiles", "(u,v) at hits", "filtered nodes", "ray differentials",
-                           "row buffers", "intersection trees", "supersampling", "grid over objects"}) {
+  for (const char* name :
+       {"half-edges", "(u,v) layouts", "textures", "baked textures", "integral tables", "texture tiles",
+        "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers", "intersection trees",
+        "supersampling", "layers", "grid over objects"}) {
     expect_left_out(parts, name);
   }
   EXPECT_EQ(parts.at("shadow rays").needed, "true");
@@ -69,7 +70,7 @@ TEST(Explain, OfASceneThatNeedsEverythingCountsEverythingButHalfEdgesLayoutsBake
   const Workshop workshop;
   const Outcome run =
       workshop.sweepkit({"render", SWEEPKIT_SAMPLES "/scenes/vase_and_cup.json", "-o", "p.png", "--explain",
-                         "--json", "--size", "48x48", "--antialias", "3x3"});
+                         "--json", "--size", "48x48", "--antialias", "3x3", "--aov", "depth"});
   ASSERT_EQ(run.status, 0) << run.err;
   for (const auto& [name, part] : parts_of(run.out)) {
     if (name == "half-edges" || name == "(u,v) layouts" || name == "baked textures" ||

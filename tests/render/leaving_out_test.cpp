@@ -22,7 +22,7 @@ TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrGlobalGrid) {
   const Picture picture = stage.draw();
   for (const Part part : {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles,
                           Part::kTexcoords, Part::kFilteredNodes, Part::kDifferentials, Part::kRows,
-                          Part::kTrees, Part::kSupersampling, Part::kGlobalGrid}) {
+                          Part::kTrees, Part::kSupersampling, Part::kLayers, Part::kGlobalGrid}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
   }
@@ -43,9 +43,9 @@ TEST(LeavingOut, EveryPartThatIsNeededShowsUp) {
     "objects": [{"name": "a", "material": "m", "plane": {"size": [4, 4]}}, {"name": "b", "translate": [0, 1, 0], "plane": {"size": [1, 1]}}]})");
   stage.set_texture(0, texmap::Image{4, 4, 1, std::vector<std::uint16_t>(16, 30000)});
   EXPECT_GT(stage.draw({.filter = Filter::kIntegral1}).ledger[Part::kTables].calls, 0u);
-  const Picture picture = stage.draw({.supersampling = 3});
+  const Picture picture = stage.draw({.supersampling = 3, .layers = {Layer::kDepth}});
   for (const Part part : {Part::kTiles, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
-                          Part::kShadows, Part::kSupersampling, Part::kGlobalGrid}) {
+                          Part::kShadows, Part::kSupersampling, Part::kLayers, Part::kGlobalGrid}) {
     EXPECT_GT(picture.ledger[part].calls, 0u) << scene::part_name(part);
   }
 }
