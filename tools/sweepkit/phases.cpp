@@ -30,8 +30,9 @@ void Phases::end(Phase phase, std::optional<double> seconds) {
   const Clock::time_point now = Clock::now();
   Share& share = shares_[static_cast<std::size_t>(phase)];
   share.seconds += seconds.value_or(std::chrono::duration<double>(now - last_).count());
+  // The kernel counts both loosely; neither is ever above the peak.
   share.resident_bytes = std::max(share.resident_bytes, resident_memory());
-  share.peak_bytes = peak_memory();
+  share.peak_bytes = std::max(peak_memory(), share.resident_bytes);
   last_ = now;
 }
 
