@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "material_of.hpp"
 #include "ray_differential.hpp"
@@ -25,13 +26,11 @@ struct Axes {
 };
 
 // The half axes of the ellipse that the unit circle becomes under the matrix of columns a and b: its singular
-// values. The smaller one by the determinant, which keeps its digits where the ellipse is thin.
+// values, the larger one by Blinn's sum of two lengths, the smaller one by the determinant, which keeps its
+// digits where the ellipse is thin.
 Axes ellipse_axes(const glm::dvec2& a, const glm::dvec2& b) {
-  const double sum = glm::dot(a, a) + glm::dot(b, b);
-  const double determinant = std::abs(a.x * b.y - a.y * b.x);
-  const double major =
-      std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4 * determinant * determinant))));
-  return {major, major > 0 ? determinant / major : 0};
+  const double major = 0.5 * (std::hypot(a.x + b.y, a.y - b.x) + std::hypot(a.x - b.y, a.y + b.x));
+  return {major, major > 0 ? std::abs(a.x * b.y - a.y * b.x) / major : 0};
 }
 
 }  // namespace
@@ -52,7 +51,10 @@ const LayerKind& kind_of(Layer layer) {
 
 void LayerPainter::write(Layer layer, const Hit& hit, const glm::dvec3& direction, int x, int y,
                          float* out) const {
-  const auto put = [&](double value) { *out++ = std::isfinite(value) ? static_cast<float>(value) : 0.0f; };
+  const auto put = [&](double value) {
+    constexpr double kMost = std::numeric_limits<float>::max();
+    *out++ = std::isfinite(value) ? static_cast<float>(std::clamp(value, -kMost, kMost)) : 0.0f;
+  };
   switch (layer) {
     case Layer::kDepth:
       put(hit.t * glm::dot(direction, eye_rays_.view_axis()));

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "workshop.hpp"
@@ -134,6 +136,42 @@ TEST(Statistics, AreWrittenBesideThePicture) {
   };
   const Outcome plan = workshop.sweepkit({"render", "ball.json", "--explain", "--json"});
   EXPECT_EQ(names_of(parts_of(workshop.read("p.json"))), names_of(parts_of(plan.out)));
+}
+
+TEST(Statistics, HaveAPageThatTellsEveryKeyAndAPhaseForEverySecond) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "p.png", "--size", "20x10", "--stats",
+                                         "p.json", "--aov", "depth", "--antialias", "3x3"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const std::string statistics = workshop.read("p.json");
+  EXPECT_NE(statistics.find("\"layer_rays\": 200,"), std::string::npos) << statistics;
+  std::ifstream file(SWEEPKIT_SAMPLES "/../docs/rendering.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  int keys = 0;
+  std::istringstream lines(statistics);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.compare(0, 3, "  \"") != 0) continue;
+    const std::string key = line.substr(3, line.find('"', 3) - 3);
+    EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
+    ++keys;
+  }
+  EXPECT_GT(keys, 15);
+  for (const char* phase :
+       {"reading", "meshes", "textures", "accelerators", "picture", "encoding", "writing"}) {
+    EXPECT_NE(statistics.find(std::string("{\"phase\": \"") + phase + "\", \"seconds\": "), std::string::npos)
+        << phase;
+  }
+}
+
+TEST(Statistics, OfFramesAreAddedUp) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "p{frame}.png", "--size", "20x10",
+                                         "--stats", "p.json", "--frames", "1-3"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(workshop.read("p.json").find("\"pictures\": 3,\n  \"eye_rays\": 600,"), std::string::npos)
+      << workshop.read("p.json");
 }
 
 TEST(Object, AloneNeedsNothingOfTheOthers) {

@@ -36,7 +36,7 @@ TEST_P(Help, HasExamplesThatWork) {
       std::istringstream words(line.substr(output + 4));
       std::string file;
       words >> file;
-      for (const std::string& number : {"{row}", "{frame}"}) {
+      for (const std::string number : {"{row}", "{frame}"}) {
         const std::size_t at = file.find(number);
         if (at != std::string::npos) file.replace(at, number.size(), 1, '1');
       }

@@ -86,7 +86,9 @@ class Assemble : public testing::Test {
  protected:
   void SetUp() override {
     workshop_.write("scene.json", kScene);
-    for (const char* tile : {"1/3", "2/3", "3/3"}) draw("t" + std::string(1, tile[0]) + ".png", tile, {});
+    draw("t1.png", "1/3", {});
+    draw("t2.png", "2/3", {});
+    draw("t3.png", "3/3", {});
   }
   void draw(const std::string& file, const std::string& tile, const Arguments& more) const {
     Arguments arguments = {"render", "scene.json", "-o", file, "--tile", tile};

@@ -47,6 +47,7 @@ TileFile read_mark(const std::string& file) {
 // In order, all of one picture, none missing and none twice.
 std::vector<TileFile> read_marks(const std::vector<std::string>& files) {
   std::vector<TileFile> tiles;
+  tiles.reserve(files.size());
   for (const std::string& file : files) tiles.push_back(read_mark(file));
   const TileFile& first = tiles.front();
   for (const TileFile& tile : tiles) {

@@ -113,6 +113,7 @@ std::vector<std::string> name_frames(const std::string& pattern, const FrameList
                 " frames; put {frame} in it, such as turn_{frame}.png");
   }
   std::vector<std::string> files;
+  files.reserve(frames.numbers.size());
   for (const int number : frames.numbers) {
     std::string& file = files.emplace_back();
     for (const NamePart& part : parts) file += part.digits ? padded(number, *part.digits) : part.text;

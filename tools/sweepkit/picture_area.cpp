@@ -3,6 +3,7 @@
 #include "picture_area.hpp"
 
 #include <charconv>
+#include <cstdint>
 #include <vector>
 
 #include "curve_text.hpp"
@@ -13,8 +14,10 @@ namespace {
 
 // The whole numbers between separators; empty where anything else is there.
 std::vector<int> whole_numbers(const std::string& text, char separator) {
+  const std::vector<std::string> parts = split(text, separator);
   std::vector<int> numbers;
-  for (const std::string& part : split(text, separator)) {
+  numbers.reserve(parts.size());
+  for (const std::string& part : parts) {
     int number = 0;
     const char* const end = part.data() + part.size();
     const auto [stop, error] = std::from_chars(part.data(), end, number);

@@ -57,6 +57,7 @@ std::vector<std::string> picture_file_names(const std::string& file, ImageFormat
                                             const std::vector<render::Layer>& layers) {
   std::vector<std::string> names = {file};
   if (format == ImageFormat::kExr) return names;
+  names.reserve(1 + layers.size());
   for (const render::Layer layer : layers) names.push_back(layer_file(file, layer));
   return names;
 }
@@ -65,6 +66,7 @@ std::vector<EncodedFile> encode_picture(render::Picture picture, const std::stri
                                         const PictureEncoding& encoding, const std::string& description) {
   finish_colors(picture.image, encoding);
   std::vector<texmap::ImageLayer> layers;
+  layers.reserve(picture.layers.size());
   const bool is_exr = encoding.format == ImageFormat::kExr;
   for (const render::PictureLayer& layer : picture.layers) {
     if (is_exr) layers.push_back(named(layer));

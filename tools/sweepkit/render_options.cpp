@@ -54,6 +54,7 @@ void add_picture_options(CLI::App& sub, Render& command) {
                "not for .jpg");
   std::string kinds = "Write these too, of what the ray through a pixel's middle meets, apart by commas: ";
   std::vector<std::string> names;
+  names.reserve(render::kLayerCount);
   for (std::size_t i = 0; i < render::kLayerCount; ++i) {
     const render::LayerKind& kind = render::kind_of(static_cast<render::Layer>(i));
     kinds += (i == 0 ? "" : ", ") + std::string(kind.name) + " (" + std::string(kind.meaning) + ")";

@@ -68,6 +68,7 @@ std::vector<PictureJob> make_jobs(const Render& command) {
   const int count = command.frames_per_turn > 0 ? command.frames_per_turn : frames.count_in_turn;
   const std::vector<std::string> files = name_frames(command.output.file, frames);
   std::vector<PictureJob> jobs;
+  jobs.reserve(files.size());
   for (std::size_t i = 0; i < files.size(); ++i)
     jobs.push_back({files[i], Turn{frames.numbers[i], count}, {}, {}});
   return jobs;
