@@ -10,8 +10,7 @@
 namespace sweepkit::tools {
 namespace {
 
-constexpr int kDeepest = 64;             // as the scene's "depth" has it
-constexpr double kLargestExposure = 64;  // stops; floats end at 2^128
+constexpr int kDeepest = 64;  // as the scene's "depth" has it
 
 void add_part_options(CLI::App& sub, Render& command) {
   sub.add_option("--crop", command.crop, "Draw this part alone; EXR files keep its place in the picture")
@@ -47,8 +46,7 @@ void add_picture_options(CLI::App& sub, Render& command) {
       ->check(CLI::IsMember({8, 16, 32}));
   sub.add_option("--exposure", command.exposure, "Stops: light is doubled so many times, or halved")
       ->type_name("EV")
-      ->capture_default_str()
-      ->check(CLI::Range(-kLargestExposure, kLargestExposure));
+      ->capture_default_str();
   sub.add_flag("--alpha", command.options.has_alpha,
                "Leave the background out where nothing stands before it, and write what is covered as alpha; "
                "not for .jpg");

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "render.hpp"
 #include "sweepkit/error.hpp"
@@ -10,6 +12,8 @@ namespace sweepkit::tools {
 namespace {
 
 using texmap::ImageFormat;
+
+constexpr double kLargestExposure = 64;  // stops; floats end at 2^128
 
 void read_names(Render& command) {
   render::Options& options = command.options;
@@ -28,6 +32,13 @@ void read_names(Render& command) {
       options.layers.push_back(layer);
     }
   }
+}
+
+void check_exposure(double stops) {
+  if (std::abs(stops) <= kLargestExposure) return;
+  char got[32];
+  std::snprintf(got, sizeof got, "%g", stops);
+  throw InputError({.file = "--exposure"}, std::string("needs -64 to 64 stops, got ") + got);
 }
 
 void check_format(const Render& command, ImageFormat format) {
@@ -88,6 +99,7 @@ RenderRequest read_request(Render& command) {
     return request;
   }
   check_ways(command);
+  check_exposure(command.exposure);
   request.encoding = {.format = picture_format(output), .bits = command.bits, .exposure = command.exposure};
   check_format(command, request.encoding.format);
   request.jobs = make_jobs(command);
