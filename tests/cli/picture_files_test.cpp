@@ -27,7 +27,9 @@ struct Picture {
   float at(int x, int y, const std::string& channel) const {
     const int k = spec.channelindex(channel);
     if (k < 0) throw std::runtime_error("no channel " + channel);
-    return samples[static_cast<std::size_t>((y * spec.width + x) * spec.nchannels + k)];
+    const auto pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(spec.width) + static_cast<std::size_t>(x);
+    return samples[pixel * static_cast<std::size_t>(spec.nchannels) + static_cast<std::size_t>(k)];
   }
 };
 
