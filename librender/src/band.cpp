@@ -32,6 +32,7 @@ void BandCounts::add(const BandCounts& other) {
   shading.lookups.textured += other.shading.lookups.textured;
   shading.lookups.filtered += other.shading.lookups.filtered;
   shading.lookups.differentials += other.shading.lookups.differentials;
+  layer_rays += other.layer_rays;
   shade_seconds += other.shade_seconds;
   row_bytes = std::max(row_bytes, other.row_bytes);
   reflection_bytes = std::max(reflection_bytes, other.reflection_bytes);
@@ -41,13 +42,14 @@ void BandCounts::add(const BandCounts& other) {
   shrink_bytes = std::max(shrink_bytes, other.shrink_bytes);
 }
 
-BandPainter::BandPainter(const scene::Scene& scene, const scene::Plan& plan, const TreeBuilder& builder,
-                         const Shader& shader, texmap::TileCache& tiles, const Region& region,
-                         int supersampling)
+BandPainter::BandPainter(const scene::Plan& plan, const EyeRays& eye_rays, const TreeBuilder& builder,
+                         const Shader& shader, const LayerPainter& layers, texmap::TileCache& tiles,
+                         const Region& region, int supersampling)
     : builder_(builder),
       shader_(shader),
+      layers_(layers),
       tiles_(tiles),
-      eye_rays_(scene.camera, scene.width * supersampling, scene.height * supersampling),
+      eye_rays_(eye_rays),
       region_{region.x * supersampling, region.y * supersampling, region.width * supersampling,
               region.height * supersampling},
       supersampling_(supersampling),
@@ -68,7 +70,11 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
     trace(rows[1], large_first - 1);
     trace(rows[2], large_first);
   }
-  std::vector<glm::dvec3> colors(static_cast<std::size_t>(region_.width));
+  const bool has_alpha = image.channels == 4;
+  std::vector<glm::dvec4> colors(static_cast<std::size_t>(region_.width));  // and coverage
+  // How many eye rays each pixel's colour takes.
+  std::vector<std::uint32_t> rays(layers_.is_needed() ? static_cast<std::size_t>(image.width) : 0,
+                                  static_cast<std::uint32_t>(supersampling_ * supersampling_));
   std::optional<Shrinker> shrinker;
   if (supersampling_ > 1) shrinker.emplace(supersampling_, image.width);
   auto& texels = std::get<std::vector<float>>(image.texels);
@@ -86,21 +92,29 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
     }
     const double start = thread_seconds();
     for (int x = 0; x < region_.width; ++x) {
+      const bool is_left_out = has_alpha && window[1]->root(region_.x + x) < 0;
       colors[static_cast<std::size_t>(x)] =
-          shader_.pixel(window, eye_rays_, region_.x + x, y, filter, counts.shading);
+          is_left_out
+              ? glm::dvec4(0.0)
+              : glm::dvec4(shader_.pixel(window, eye_rays_, region_.x + x, y, filter, counts.shading), 1);
     }
     counts.shade_seconds += thread_seconds() - start;
 
     const int row = (y - region_.y) / supersampling_;
     const int k = (y - region_.y) % supersampling_;
-    float* out = texels.data() + 3 * static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width);
+    float* out = texels.data() + static_cast<std::size_t>(image.channels) * static_cast<std::size_t>(row) *
+                                     static_cast<std::size_t>(image.width);
     if (!shrinker) {
-      for (const glm::dvec3& color : colors) {
-        for (glm::length_t c = 0; c < 3; ++c) *out++ = static_cast<float>(color[c]);
+      for (const glm::dvec4& color : colors) {
+        for (glm::length_t c = 0; c < image.channels; ++c) *out++ = static_cast<float>(color[c]);
       }
     } else {
       shrinker->add(k, colors);
-      if (k == supersampling_ - 1) shrinker->take(out);
+      if (k == supersampling_ - 1) shrinker->take(out, image.channels);
+    }
+    if (layers_.is_needed() && k == supersampling_ - 1) {
+      counts.layer_rays += layers_.fill(row, region_.x / supersampling_, y / supersampling_,
+                                        shrinker ? nullptr : window[1], rays);
     }
   }
   if (has_neighbour_rows_) counts.row_bytes = rows[0].bytes() + rows[2].bytes();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "intersection_tree.hpp"
+#include "layers.hpp"
 #include "shading.hpp"
 #include "supersampling.hpp"
 #include "sweepkit/scene/plan.hpp"
@@ -18,6 +19,7 @@ namespace sweepkit::render {
 struct BandCounts {
   RayCounts rays;
   ShadingCounts shading;
+  std::uint64_t layer_rays = 0;
   double shade_seconds = 0;
   std::size_t row_bytes = 0;  ///< the two neighbouring rows
   std::size_t reflection_bytes = 0;
@@ -34,17 +36,23 @@ struct BandCounts {
 /// nothing of each other and the picture does not depend on how it is cut.
 class BandPainter {
  public:
-  BandPainter(const scene::Scene& scene, const scene::Plan& plan, const TreeBuilder& builder,
-              const Shader& shader, texmap::TileCache& tiles, const Region& region, int supersampling);
+  /// `eye_rays` and `region` are the picture's and its part's, both as large as the supersampling makes them
+  /// in `eye_rays` and not yet in `region`.
+  BandPainter(const scene::Plan& plan, const EyeRays& eye_rays, const TreeBuilder& builder,
+              const Shader& shader, const LayerPainter& layers, texmap::TileCache& tiles,
+              const Region& region, int supersampling);
 
-  /// Rows first..end-1 of `image`, which is the region. Stops early when `is_cancelled` is set.
+  /// Rows first..end-1 of `image`, which is the region, and of the layers. An image of four channels has the
+  /// background left out: colours are multiplied by the share of the pixel that objects cover, which is the
+  /// fourth. Stops early when `is_cancelled` is set.
   BandCounts paint(texmap::Image& image, int first, int end, const std::atomic<bool>* is_cancelled) const;
 
  private:
   const TreeBuilder& builder_;
   const Shader& shader_;
+  const LayerPainter& layers_;
   texmap::TileCache& tiles_;
-  EyeRays eye_rays_;
+  const EyeRays& eye_rays_;
   Region region_;  // of the larger picture
   int supersampling_;
   bool has_neighbour_rows_;

@@ -73,6 +73,9 @@ class TreeBuilder {
   /// Pixels first..end-1 of row y.
   void build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end, RayCounts& counts) const;
 
+  /// (u,v) of a hit. Precondition: its mesh has any.
+  glm::dvec2 texcoord_of(const Hit& hit) const;
+
  private:
   /// A node that waits for its children, and its share of the pixel.
   struct Pending {
@@ -86,7 +89,6 @@ class TreeBuilder {
   void add_children(TreeRow& row, const Pending& parent, std::vector<Pending>& pending,
                     RayCounts& counts) const;
   std::uint32_t area_of(const Hit& hit) const;
-  glm::dvec2 texcoord_of(const Hit& hit) const;
 
   const scene::Scene& scene_;
   const Tracer& tracer_;

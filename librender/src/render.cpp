@@ -15,7 +15,9 @@
 
 #include "band.hpp"
 #include "environment.hpp"
+#include "eye_rays.hpp"
 #include "intersection_tree.hpp"
+#include "layers.hpp"
 #include "shading.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/texmap/image_file.hpp"
@@ -106,6 +108,13 @@ void check(const scene::Scene& scene, const Options& options) {
   if (options.threads < 0 || options.threads > 4096) {
     throw InputError("threads needs 0 (all) to 4096, got " + std::to_string(options.threads));
   }
+  for (std::size_t i = 0; i < options.layers.size(); ++i) {
+    if (std::find(options.layers.begin(), options.layers.begin() + static_cast<std::ptrdiff_t>(i),
+                  options.layers[i]) != options.layers.begin() + static_cast<std::ptrdiff_t>(i)) {
+      throw InputError("the layer " + std::string(kind_of(options.layers[i]).name) +
+                       " is asked for twice; once is enough");
+    }
+  }
   if (const auto& crop = options.crop) {
     const bool is_inside = crop->x >= 0 && crop->y >= 0 && crop->width > 0 && crop->height > 0 &&
                            crop->x <= scene.width - crop->width && crop->y <= scene.height - crop->height;
@@ -118,35 +127,32 @@ void check(const scene::Scene& scene, const Options& options) {
   }
 }
 
-}  // namespace
+// The coarse picture's pixels that a part of the fine one lies in.
+Region coarsened(const Region& fine, int step) {
+  const int x = fine.x / step;
+  const int y = fine.y / step;
+  return {x, y, (fine.x + fine.width + step - 1) / step - x, (fine.y + fine.height + step - 1) / step - y};
+}
 
-Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options& options) {
-  check(scene, options);
-  Picture picture;
-  Statistics& statistics = picture.statistics;
-
-  // More threads than the machine has must be allowed first, or TBB prints a warning and takes fewer.
-  std::optional<tbb::global_control> allowed;
-  if (options.threads > 0) {
-    allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+texmap::Image expanded(const texmap::Image& coarse, const Region& region, const Region& fine, int step) {
+  texmap::Image image = texmap::make_float_image(fine.width, fine.height, coarse.channels);
+  const auto& from = std::get<std::vector<float>>(coarse.texels);
+  auto to = std::get<std::vector<float>>(image.texels).begin();
+  const auto channels = static_cast<std::size_t>(coarse.channels);
+  for (int y = 0; y < fine.height; ++y) {
+    const auto row = static_cast<std::size_t>((fine.y + y) / step - region.y);
+    for (int x = 0; x < fine.width; ++x) {
+      const auto column = static_cast<std::size_t>((fine.x + x) / step - region.x);
+      const std::size_t at = channels * (row * static_cast<std::size_t>(coarse.width) + column);
+      to = std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(at), channels, to);
+    }
   }
-  Clock::time_point start = Clock::now();
-  const Tracer tracer(scene, plan.needs_part(scene::Part::kObjectTree), options.accelerator);
-  statistics.build_seconds = seconds_since(start);
-  count_accelerators(tracer, statistics);
+  return image;
+}
 
-  texmap::TileCache tiles(memory_for_tiles(scene, plan));
-  const Samplers samplers = make_samplers(scene, plan, options.filter, tiles);
-
-  start = Clock::now();
-  const Region region = options.crop.value_or(Region{0, 0, scene.width, scene.height});
-  picture.image = texmap::make_float_image(region.width, region.height);
-  const TreeBuilder builder(scene, plan, tracer);
-  const TextureLookup textures(scene, plan, tracer, samplers, options.filter, options.footprint);
-  const Environment environment(scene, plan, options.filter, tiles);
-  const Shader shader(scene, plan, tracer, textures, environment);
-  const BandPainter painter(scene, plan, builder, shader, tiles, region, options.supersampling);
-  const int bands = (region.height + kBandRows - 1) / kBandRows;
+// All rows of the image, band by band on all threads.
+BandCounts paint_bands(const BandPainter& painter, texmap::Image& image, const Options& options) {
+  const int bands = (image.height + kBandRows - 1) / kBandRows;
   std::vector<BandCounts> counts(static_cast<std::size_t>(bands));
   std::mutex progress;
   int done = 0;
@@ -155,9 +161,8 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& range) {
       for (int band = range.begin(); band < range.end(); ++band) {
-        counts[static_cast<std::size_t>(band)] =
-            painter.paint(picture.image, band * kBandRows, std::min(region.height, (band + 1) * kBandRows),
-                          options.is_cancelled);
+        counts[static_cast<std::size_t>(band)] = painter.paint(
+            image, band * kBandRows, std::min(image.height, (band + 1) * kBandRows), options.is_cancelled);
         const std::lock_guard lock(progress);
         ++done;
         if (options.on_progress) options.on_progress(static_cast<double>(done) / bands);
@@ -165,20 +170,93 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
     });
   });
   if (options.is_cancelled != nullptr && *options.is_cancelled) throw Cancelled{};
-  statistics.picture_seconds = seconds_since(start);
-
   BandCounts total;
   for (const BandCounts& band : counts) total.add(band);
+  return total;
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+  Parts(const scene::Scene& drawn, const scene::Plan& planned, Options wanted)
+      : scene(drawn),
+        plan(planned),
+        options(std::move(wanted)),
+        start(Clock::now()),
+        tracer(drawn, planned.needs_part(scene::Part::kObjectTree), options.accelerator),
+        build_seconds(seconds_since(start)),
+        tiles(memory_for_tiles(drawn, planned)),
+        samplers(make_samplers(drawn, planned, options.filter, tiles)),
+        environment(drawn, planned, options.filter, tiles) {}
+
+  const scene::Scene& scene;
+  const scene::Plan plan;
+  const Options options;
+  Clock::time_point start;
+  Tracer tracer;
+  double build_seconds;
+  mutable texmap::TileCache tiles;
+  Samplers samplers;
+  Environment environment;
+};
+
+Renderer::Renderer(const scene::Scene& scene, const scene::Plan& plan, Options options) {
+  check(scene, options);
+  parts_ = std::make_unique<Parts>(scene, plan, std::move(options));
+}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+Picture Renderer::draw(int step) const {
+  const auto& [scene, plan, options, built, tracer, build_seconds, tiles, samplers, environment] = *parts_;
+  if (step < 1) throw InputError("a preview needs a step of 1 pixel or more, got " + std::to_string(step));
+  Picture picture;
+  Statistics& statistics = picture.statistics;
+  statistics.build_seconds = build_seconds;
+  count_accelerators(tracer, statistics);
+  const std::uint64_t tiles_before = tiles.counts().made;
+
+  const Clock::time_point start = Clock::now();
+  const Region wanted = options.crop.value_or(Region{0, 0, scene.width, scene.height});
+  const Region region = coarsened(wanted, step);
+  const int supersampling = step > 1 ? 1 : options.supersampling;
+  picture.image = texmap::make_float_image(region.width, region.height, options.has_alpha ? 4 : 3);
+  for (const Layer layer : options.layers) {
+    const auto channels = static_cast<int>(kind_of(layer).channels.size());
+    picture.layers.push_back({layer, texmap::make_float_image(region.width, region.height, channels)});
+  }
+  const double width = static_cast<double>(scene.width) / step;
+  const double height = static_cast<double>(scene.height) / step;
+  const EyeRays eye_rays(scene.camera, width * supersampling, height * supersampling);
+  const EyeRays middle_rays(scene.camera, width, height);
+  const TreeBuilder builder(scene, plan, tracer);
+  const TextureLookup textures(scene, plan, tracer, samplers, options.filter, options.footprint);
+  const Shader shader(scene, plan, tracer, textures, environment);
+  const LayerPainter layers(scene, tracer, builder, middle_rays, picture.layers);
+  const BandPainter painter(plan, eye_rays, builder, shader, layers, tiles, region, supersampling);
+  BandCounts total = paint_bands(painter, picture.image, options);
+  if (step > 1) {
+    picture.image = expanded(picture.image, region, wanted, step);
+    for (PictureLayer& layer : picture.layers) layer.image = expanded(layer.image, region, wanted, step);
+  }
+  statistics.picture_seconds = seconds_since(start);
+
   statistics.eye_rays = total.rays.eye;
   statistics.reflected_rays = total.rays.reflected;
   statistics.refracted_rays = total.rays.refracted;
   statistics.shadow_rays = total.shading.shadow_rays;
+  statistics.layer_rays = total.layer_rays;
   statistics.nodes = total.shading.nodes;
   statistics.filtered_nodes = total.shading.lookups.filtered;
   statistics.differential_nodes = total.shading.lookups.differentials;
   statistics.textured_nodes = total.shading.lookups.textured;
   statistics.shade_thread_seconds = total.shade_seconds;
   fill_ledger(picture.ledger, total, tracer, scene.has_dimmed_shadows);
+  for (const PictureLayer& layer : picture.layers) {
+    picture.ledger[scene::Part::kLayers].bytes += layer.image.bytes();
+    picture.ledger[scene::Part::kLayers].calls += 1;
+  }
   std::size_t sums = 0;
   for (const auto& sampler : samplers) sums += sampler ? sampler->table_bytes() : 0;
   // The background's tiles lie among the textures'.
@@ -186,9 +264,13 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
                                 : plan.needs_part(scene::Part::kTiles) ? scene::Part::kTiles
                                                                        : scene::Part::kEnvironment;
   picture.ledger[tile_part].bytes += tiles.counts().peak_bytes + sums;
-  picture.ledger[tile_part].calls += tiles.counts().made;
+  picture.ledger[tile_part].calls += tiles.counts().made - tiles_before;
   picture.ledger[scene::Part::kEnvironment].bytes += environment.table_bytes();
   return picture;
+}
+
+Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options& options) {
+  return Renderer(scene, plan, options).draw();
 }
 
 }  // namespace sweepkit::render

@@ -3,6 +3,7 @@
 #include "sweepkit/scene/model.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,10 +11,17 @@
 
 #include "make_mesh.hpp"
 #include "sweepkit/scene/image_store.hpp"
+#include "sweepkit/scene/turntable.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 // Runs `make` and gives what it finds wrong with the geometry the piece's place in the file.
 template <class Make>
@@ -124,12 +132,6 @@ void frame(Scene& scene) {
   camera.eye = camera.target + distance * glm::normalize(glm::dvec3(0.55, 0.5, 1.0));
 }
 
-// From over the viewer's left shoulder.
-DirectionalLight default_light(const Camera& camera) {
-  const glm::dmat3 axes = world_from_camera(camera);
-  return {axes * glm::normalize(glm::dvec3(0.5, -0.7, -1.0)), glm::vec3(1.0f)};
-}
-
 // Of the mesh that comes next: the entry, or its instances.
 void add_objects(Scene& scene, const ObjectEntry& entry) {
   const glm::dmat4 placed = to_matrix(entry.placement);
@@ -172,6 +174,7 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
   scene.has_dimmed_shadows = plan.needs_part(Part::kDimmedShadows);
 
   scene.objects.reserve(count_objects(document));
+  Clock::time_point start = Clock::now();
   for (const ObjectEntry& entry : document.objects) {
     model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts]));
     const sweep::Mesh& mesh = *model.meshes.back();
@@ -183,6 +186,8 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
       model.ledger[Part::kHalfEdges].calls += 1;
     }
   }
+  model.mesh_seconds = seconds_since(start);
+  start = Clock::now();
   const bool has_samplers = plan.needs_part(Part::kTiles) || plan.needs_part(Part::kTables);
   for (std::size_t i = 0; i < document.textures.size(); ++i) {
     scene.textures.emplace_back();
@@ -195,9 +200,10 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
     scene.environment = std::get<texmap::ImageTexture>(
         load_texture(*document.environment, plan, true, images, model.ledger[Part::kEnvironment]));
   }
+  model.texture_seconds = seconds_since(start);
   scene.camera = document.camera;
   if (!document.has_view) frame(scene);
-  if (scene.lights.empty() && !document.has_ambient) scene.lights.push_back(default_light(scene.camera));
+  look_from(scene, document, scene.camera);
   return model;
 }
 

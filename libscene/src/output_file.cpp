@@ -227,22 +227,36 @@ void check_output(const std::filesystem::path& file) {
   }
 }
 
-void write_files(std::span<const OutputFile> files) {
+struct StagedFiles::Parts {
   std::vector<std::pair<FileBeside, std::filesystem::path>> renames;
-  renames.reserve(files.size());
-  for (const OutputFile& file : files) {
-    if (is_written_in_place(file.path)) continue;
-    std::filesystem::path target = real_target(file.path);
-    FileBeside beside = write_beside(target, file.bytes);
-    renames.emplace_back(std::move(beside), std::move(target));
+  std::vector<OutputFile> in_place;
+};
+
+StagedFiles::StagedFiles() : parts_(std::make_unique<Parts>()) {}
+StagedFiles::~StagedFiles() = default;
+
+void StagedFiles::add(const OutputFile& file) {
+  if (is_written_in_place(file.path)) {
+    parts_->in_place.push_back(file);
+    return;
   }
-  for (const OutputFile& file : files) {
-    if (is_written_in_place(file.path)) write_in_place(file);
-  }
+  std::filesystem::path target = real_target(file.path);
+  FileBeside beside = write_beside(target, file.bytes);
+  parts_->renames.emplace_back(std::move(beside), std::move(target));
+}
+
+void StagedFiles::put_in_place() {
+  for (const OutputFile& file : parts_->in_place) write_in_place(file);
   const Section section;  // all of the set or none
-  for (const auto& [beside, target] : renames) {
+  for (const auto& [beside, target] : parts_->renames) {
     if (!beside.rename(target)) fail(target);
   }
+}
+
+void write_files(std::span<const OutputFile> files) {
+  StagedFiles staged;
+  for (const OutputFile& file : files) staged.add(file);
+  staged.put_in_place();
 }
 
 void abandon_writes() noexcept {

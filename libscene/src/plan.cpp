@@ -54,10 +54,10 @@ Usage usage_of(const Document& document) {
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",         "(u,v) layouts", "textures",         "baked textures",    "integral tables",
-      "texture tiles",      "(u,v) at hits", "filtered nodes",   "ray differentials", "row buffers",
-      "intersection trees", "refractions",   "shares by angle",  "shadow rays",       "dimmed shadows",
-      "background image",   "supersampling", "tree over objects"};
+      "half-edges",         "(u,v) layouts", "textures",        "baked textures",    "integral tables",
+      "texture tiles",      "(u,v) at hits", "filtered nodes",  "ray differentials", "row buffers",
+      "intersection trees", "refractions",   "shares by angle", "shadow rays",       "dimmed shadows",
+      "background image",   "supersampling", "layers",          "tree over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -81,7 +81,7 @@ Plan plan(const Document& document, const Request& request) {
 
   row(Part::kHalfEdges, request.has_half_edges,
       request.has_half_edges ? "someone walks them" : "nobody walks them");
-  const bool shows_uv = !is_picture || usage.reads_uv;
+  const bool shows_uv = !is_picture || usage.reads_uv || request.shows_texcoords;
   row(Part::kLayouts, usage.has_mesh_file && shows_uv,
       !usage.has_mesh_file ? "no object is a mesh file"
       : shows_uv           ? "mesh files without (u,v) are laid out over the texture"
@@ -144,6 +144,8 @@ Plan plan(const Document& document, const Request& request) {
               document.environment ? "the background is an image" : "the background is a colour");
   picture_row(Part::kSupersampling, request.is_supersampled,
               request.is_supersampled ? "it was asked for" : "it was not asked for");
+  picture_row(Part::kLayers, request.has_layers,
+              request.has_layers ? "they were asked for" : "they were not asked for");
   const bool has_several =
       document.objects.size() > 1 || std::ranges::any_of(document.objects, [](const ObjectEntry& object) {
         return object.instances.size() > 1;

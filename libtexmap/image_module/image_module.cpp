@@ -115,7 +115,7 @@ bool is_integer(const OIIO::TypeDesc& type) {
 // promises more than the file holds fails at the first band, before the memory for the rest is touched.
 template <class Sample, class Take>
 std::string read_bands(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels, Take&& take) {
-  const OIIO::TypeDesc type = sizeof(Sample) == 2 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::FLOAT;
+  const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Sample>::value;
   const bool is_tiled = spec.tile_width > 0;
   const int band = is_tiled ? spec.tile_height : 64;
   std::vector<Sample> samples;
@@ -249,48 +249,76 @@ std::string read_info(const std::string& file, ModuleInfo& info) try {
   const auto input = open_input(file, problem);
   if (!input) return problem;
   const OIIO::ImageSpec& spec = input->spec();
-  info = {spec.width, spec.height, spec.nchannels, input->format_name(), spec.format.c_str()};
+  info = {spec.width,          spec.height,
+          spec.nchannels,      input->format_name(),
+          spec.format.c_str(), std::string(spec.get_string_attribute("ImageDescription"))};
   return {};
 } catch (const std::exception& error) {
   return problem_of(error);
 }
 
-std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes) try {
-  keep_to_this_thread();
-  const bool is_exr = encoding.floats != nullptr;
-  const std::string extension = encoding.extension;
-  const bool has_alpha = encoding.channels % 2 == 0;
-  const bool keeps_alpha = has_alpha && extension != "jpg";
-  OIIO::ImageSpec spec(encoding.width, encoding.height, encoding.channels - (has_alpha && !keeps_alpha),
-                       is_exr ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8);
-  if (keeps_alpha) {
-    spec.channelnames.back() = std::string(1, 'A');
-    spec.alpha_channel = encoding.channels - 1;
-    // Colours are not multiplied by alpha, and are not to be divided by it.
-    if (!is_exr) spec.attribute("oiio:UnassociatedAlpha", 1);
+// By ImageFormat.
+constexpr const char* kExtensions[] = {"png", "jpg", "tif", "exr"};
+constexpr const char* kFormatNames[] = {"png", "jpeg", "tiff", "openexr"};
+
+OIIO::ImageSpec spec_of(const FileImage& image) {
+  const bool is_exr = image.format == ImageFormat::kExr;
+  const bool is_tiff = image.format == ImageFormat::kTiff;
+  const auto type_of = [&](int bits) -> OIIO::TypeDesc {
+    if (is_exr) return bits == 16 ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
+    return bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
+  };
+  OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
+                       type_of(image.channels.empty() ? 8 : image.channels.front().bits));
+  bool is_mixed = false;
+  for (std::size_t k = 0; k < image.channels.size(); ++k) {
+    spec.channelnames[k] = image.channels[k].name;
+    if (image.channels[k].name == "A") spec.alpha_channel = static_cast<int>(k);
+    is_mixed |= image.channels[k].bits != image.channels.front().bits;
+  }
+  if (is_mixed) {
+    for (const FileChannel& channel : image.channels) spec.channelformats.push_back(type_of(channel.bits));
+  }
+  // Colours are not multiplied by alpha, and are not to be divided by it.
+  if (spec.alpha_channel >= 0 && !is_exr) spec.attribute("oiio:UnassociatedAlpha", 1);
+  if (is_exr && image.window.full_width > 0) {
+    spec.x = image.window.x;
+    spec.y = image.window.y;
+    spec.full_width = image.window.full_width;
+    spec.full_height = image.window.full_height;
   }
   // The time of writing would make two runs differ.
   spec.attribute("DateTime", "2000:01:01 00:00:00");
   spec.attribute("Software", "sweepkit");
+  if (!image.description.empty()) spec.attribute("ImageDescription", image.description);
   // In a TIFF this would become an Exif directory, which OpenImageIO 2.4 writes over the first one when in
   // memory.
-  if (extension != "tif") spec.attribute("oiio:ColorSpace", encoding.is_srgb ? "sRGB" : "Linear");
-  if (extension == "jpg") {
+  if (!is_tiff) spec.attribute("oiio:ColorSpace", image.is_srgb ? "sRGB" : "Linear");
+  if (image.format == ImageFormat::kJpeg) {
     spec.attribute("Compression", "jpeg:95");
     spec.attribute("jpeg:subsampling", "4:4:4");
-  } else if (is_exr || extension == "tif") {
+  } else if (is_exr || is_tiff) {
     spec.attribute("compression", "zip");
   }
+  return spec;
+}
+
+std::string encode(const FileImage& image, std::vector<std::byte>& bytes) try {
+  keep_to_this_thread();
+  const std::string extension = kExtensions[static_cast<std::size_t>(image.format)];
   std::vector<unsigned char> buffer;
   OIIO::Filesystem::IOVecOutput memory(buffer);
   const std::string name = "picture." + extension;
   const auto output = OIIO::ImageOutput::create(name, &memory);
   if (!output) return last_error();
   if (!output->supports("ioproxy")) return "the " + extension + " encoder cannot write to memory";
-  if (!output->open(name, spec)) return error_of(*output, "the encoder does not take the image");
-  const bool is_written = is_exr
-                              ? output->write_image(OIIO::TypeDesc::FLOAT, encoding.floats)
-                              : output->write_image(OIIO::TypeDesc::UINT8, encoding.bytes, encoding.channels);
+  if (!output->open(name, spec_of(image))) return error_of(*output, "the encoder does not take the image");
+  const bool is_written = std::visit(
+      [&](const auto& samples) {
+        using Sample = typename std::remove_reference_t<decltype(samples)>::value_type;
+        return output->write_image(OIIO::BaseTypeFromC<Sample>::value, samples.data());
+      },
+      image.samples);
   if (!is_written || !output->close()) return error_of(*output, "the encoder fails");
   bytes.resize(buffer.size());
   std::memcpy(bytes.data(), buffer.data(), buffer.size());
@@ -299,12 +327,48 @@ std::string encode(const ModuleEncoding& encoding, std::vector<std::byte>& bytes
   return problem_of(error);
 }
 
+std::string read_file(const std::string& file, FileImage& image) try {
+  constexpr int kMostChannels = 64;
+  const QuietErrors quiet;
+  std::string problem;
+  const auto input = open_input(file, problem);
+  if (!input) return problem;
+  const OIIO::ImageSpec spec = input->spec();
+  const auto* const format =
+      std::find(std::begin(kFormatNames), std::end(kFormatNames), std::string_view(input->format_name()));
+  if (format == std::end(kFormatNames)) return "it is no PNG, JPEG, TIFF or EXR file";
+  if (spec.nchannels > kMostChannels) return "it has " + std::to_string(spec.nchannels) + " channels";
+  image.width = spec.width;
+  image.height = spec.height;
+  image.format = static_cast<ImageFormat>(format - std::begin(kFormatNames));
+  image.is_srgb = image.format != ImageFormat::kExr;
+  image.description = spec.get_string_attribute("ImageDescription");
+  if (spec.x != 0 || spec.y != 0 || spec.full_width != spec.width || spec.full_height != spec.height)
+    image.window = {spec.x, spec.y, spec.full_width, spec.full_height};
+  for (int k = 0; k < spec.nchannels; ++k) {
+    image.channels.push_back({spec.channel_name(k), static_cast<int>(8 * spec.channelformat(k).size())});
+  }
+  const auto read_into = [&](auto& whole) {
+    using Sample = typename std::remove_reference_t<decltype(whole)>::value_type;
+    return read_bands<Sample>(*input, spec, spec.nchannels, [&](int, int, const std::vector<Sample>& band) {
+      whole.insert(whole.end(), band.begin(), band.end());
+      return std::string();
+    });
+  };
+  if (spec.format == OIIO::TypeDesc::UINT8)
+    return read_into(image.samples.emplace<std::vector<std::uint8_t>>());
+  if (is_integer(spec.format)) return read_into(image.samples.emplace<std::vector<std::uint16_t>>());
+  return read_into(image.samples.emplace<std::vector<float>>());
+} catch (const std::exception& error) {
+  return error.what();
+}
+
 }  // namespace
 }  // namespace sweepkit::texmap
 
 // The name is kImageModuleSymbol.
 extern "C" __attribute__((visibility("default")))
-const sweepkit::texmap::ImageModule sweepkit_image_module_2 = {
-    sweepkit::texmap::read,  sweepkit::texmap::read_info, sweepkit::texmap::read_rows,
-    sweepkit::texmap::open,  sweepkit::texmap::read_rect, sweepkit::texmap::close,
-    sweepkit::texmap::encode};
+const sweepkit::texmap::ImageModule sweepkit_image_module_3 = {
+    sweepkit::texmap::read,   sweepkit::texmap::read_info, sweepkit::texmap::read_rows,
+    sweepkit::texmap::open,   sweepkit::texmap::read_rect, sweepkit::texmap::close,
+    sweepkit::texmap::encode, sweepkit::texmap::read_file};

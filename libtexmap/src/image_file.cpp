@@ -9,6 +9,7 @@
 #include "image_module.hpp"
 #include "srgb.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/texmap/file_image.hpp"
 
 namespace sweepkit::texmap {
 namespace {
@@ -22,59 +23,6 @@ void decode_srgb(std::vector<std::uint16_t>& samples, int channels) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!is_alpha(i % static_cast<std::size_t>(channels), channels)) samples[i] = table[samples[i]];
   }
-}
-
-std::uint8_t to_byte(double value) {
-  const double clamped = value > 0 ? std::min(value, 1.0) : 0.0;  // NaN is 0
-  return static_cast<std::uint8_t>(std::lround(255 * clamped));
-}
-
-std::uint8_t to_srgb_byte(double value) {
-  return to_byte(value > 0 ? srgb_from_linear(std::min(value, 1.0)) : 0.0);
-}
-
-// 16-bit linear light to 8-bit sRGB.
-std::vector<std::uint8_t> make_srgb_byte_table() {
-  std::vector<std::uint8_t> table(65536);
-  for (std::size_t i = 0; i < table.size(); ++i) table[i] = to_srgb_byte(static_cast<double>(i) / 65535);
-  return table;
-}
-
-std::vector<std::uint8_t> to_bytes(const Image& image, bool is_srgb) {
-  const auto is_color = [&](std::size_t i) {
-    return is_srgb && !is_alpha(i % static_cast<std::size_t>(image.channels), image.channels);
-  };
-  std::vector<std::uint8_t> bytes;
-  if (const auto* floats = std::get_if<std::vector<float>>(&image.texels)) {
-    bytes.reserve(floats->size());
-    for (std::size_t i = 0; i < floats->size(); ++i) {
-      const double value = (*floats)[i];
-      bytes.push_back(is_color(i) ? to_srgb_byte(value) : to_byte(value));
-    }
-    return bytes;
-  }
-  static const std::vector<std::uint8_t> table = make_srgb_byte_table();
-  const auto& integers = std::get<std::vector<std::uint16_t>>(image.texels);
-  bytes.reserve(integers.size());
-  for (std::size_t i = 0; i < integers.size(); ++i)
-    bytes.push_back(is_color(i) ? table[integers[i]] : to_byte(integers[i] / 65535.0));
-  return bytes;
-}
-
-// Half floats end at 65504: what is brighter would be written as infinity, which no reader takes.
-std::vector<float> to_half_range(const Image& image) {
-  constexpr float kLargestHalf = 65504;
-  std::vector<float> values;
-  if (const auto* floats = std::get_if<std::vector<float>>(&image.texels)) {
-    values.reserve(floats->size());
-    for (const float value : *floats)
-      values.push_back(std::isnan(value) ? value : std::clamp(value, -kLargestHalf, kLargestHalf));
-    return values;
-  }
-  const auto& integers = std::get<std::vector<std::uint16_t>>(image.texels);
-  values.reserve(integers.size());
-  for (const std::uint16_t value : integers) values.push_back(static_cast<float>(value / 65535.0));
-  return values;
 }
 
 }  // namespace
@@ -121,18 +69,7 @@ ImageFormat image_format(const std::filesystem::path& file) {
 }
 
 std::vector<std::byte> encode_image(const Image& image, ImageFormat format, ColorSpace color_space) {
-  static constexpr const char* kExtensions[] = {"png", "jpg", "tif", "exr"};
-  const bool is_exr = format == ImageFormat::kExr;
-  const bool is_srgb = color_space == ColorSpace::kSrgb && !is_exr;
-  const std::vector<std::uint8_t> bytes = is_exr ? std::vector<std::uint8_t>{} : to_bytes(image, is_srgb);
-  const std::vector<float> floats = is_exr ? to_half_range(image) : std::vector<float>{};
-  std::vector<std::byte> encoded;
-  const std::string problem = image_module().encode(
-      {kExtensions[static_cast<std::size_t>(format)], image.width, image.height, image.channels, is_srgb,
-       is_exr ? nullptr : bytes.data(), is_exr ? floats.data() : nullptr},
-      encoded);
-  throw_if_not_encoded(problem);
-  return encoded;
+  return encode_file(to_file_image(image, {.format = format, .color_space = color_space}));
 }
 
 }  // namespace sweepkit::texmap

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "sweepkit/texmap/file_image.hpp"
+
 namespace sweepkit::texmap {
 
 /// The border between libtexmap and the image module (the one place that knows OpenImageIO). Both sides are
@@ -28,16 +30,7 @@ struct ModuleInfo {
   int channels = 0;
   std::string format;
   std::string sample_type;
-};
-
-struct ModuleEncoding {
-  const char* extension;  ///< "png", "jpg", "tif", "exr"
-  int width;
-  int height;
-  int channels;
-  bool is_srgb;
-  const std::uint8_t* bytes;  ///< for png, jpg, tif
-  const float* floats;        ///< for exr
+  std::string description;
 };
 
 /// An image file that stays open to be read piece by piece.
@@ -73,7 +66,9 @@ struct ImageModule {
   /// threads.
   std::string (*read_rect)(void* handle, const ModuleRect& rect, void* samples);
   void (*close)(void* handle);
-  std::string (*encode)(const ModuleEncoding& encoding, std::vector<std::byte>& bytes);
+  std::string (*encode)(const FileImage& image, std::vector<std::byte>& bytes);
+  /// All channels of a PNG, JPEG, TIFF or EXR file.
+  std::string (*read_file)(const std::string& file, FileImage& image);
 };
 
 /// The module, loaded by the first call. Throws OutputError if it is missing, and std::bad_alloc if there is
@@ -88,7 +83,7 @@ void check_image_exists(const std::filesystem::path& file);
 void throw_if_unreadable(const std::filesystem::path& file, const std::string& problem);
 void throw_if_not_encoded(const std::string& problem);
 
-inline constexpr const char* kImageModuleSymbol = "sweepkit_image_module_2";
+inline constexpr const char* kImageModuleSymbol = "sweepkit_image_module_3";
 inline constexpr const char* kImageModuleFile = "sweepkit-image-files.so";
 
 }  // namespace sweepkit::texmap

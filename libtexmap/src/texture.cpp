@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "texel_source.hpp"
+
 namespace sweepkit::texmap {
 namespace {
 
@@ -17,6 +19,11 @@ int texel_index(double t, int size, Wrap wrap) {
 }
 
 }  // namespace
+
+glm::ivec2 size_of(const ImageTexture& texture) {
+  if (texture.file) return {texture.file->width(), texture.file->height()};
+  return texture.image ? glm::ivec2(texture.image->width, texture.image->height) : glm::ivec2(0);
+}
 
 glm::vec3 point_sample(const Texture& texture, glm::dvec2 uv, const glm::dvec3& position) {
   if (const auto* procedural = std::get_if<Procedural>(&texture)) return evaluate(*procedural, uv, position);

@@ -229,11 +229,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"NoCommand",
              "",
-             "needs a command (generate, render, bake, info, check); see sweepkit --help",
+             "needs a command (generate, render, assemble, bake, info, check); see sweepkit --help",
              {}},
         Case{"UnknownCommand",
              "",
-             "needs a command (generate, render, bake, info, check), got \"draw\"; see sweepkit --help",
+             "needs a command (generate, render, assemble, bake, info, check), got \"draw\"; see sweepkit "
+             "--help",
              {"draw", "scene.json"}},
         Case{"NoScene",
              "",

@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
              kCircle + ", " + kLine +
                  R"(, "profile": {"x": 0.5}, "twist_deg": {"points": [[0, 0], [1, -45]]})"},
         Same{"FramesCapsAndJoints",
-             with(kOfCircle, {"--trajectory", "way.xyz", "--frames", "fixed-up", "--caps", "round",
+             with(kOfCircle, {"--trajectory", "way.xyz", "--sweep-frames", "fixed-up", "--caps", "round",
                               "--joints", "bevel"}),
              kCircle + R"(, "trajectory": {"csv": "way.xyz"}, "frames": "fixed-up", "caps": "round",
                 "joints": "bevel")"},
@@ -185,8 +185,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "--texture-size: needs metres, such as 0.5 or 0.5x0.25, got \"1x2x3\""},
         Refused{"NoImage", with(kOfBoth, {"--texture", "none.png"}),
                 "--texture: /textures/texture/image: none.png: no such file"},
-        Refused{"NoFrames", with(kOfBoth, {"--frames", "loose"}),
-                "--frames: /objects/0/sweep/frames: needs \"rotation-minimizing\", \"frenet\" or "
+        Refused{"NoFrames", with(kOfBoth, {"--sweep-frames", "loose"}),
+                "--sweep-frames: /objects/0/sweep/frames: needs \"rotation-minimizing\", \"frenet\" or "
                 "\"fixed-up\", got "
                 "\"loose\""},
         Refused{

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "workshop.hpp"
@@ -49,10 +51,11 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
   const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "ball.png", "--explain", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const auto parts = parts_of(run.out);
-  for (const char* name : {"half-edges", "(u,v) layouts", "textures", "baked textures", "integral tables",
-                           "texture tiles", "(u,v) at hits", "filtered nodes", "ray differentials",
-                           "row buffers", "intersection trees", "refractions", "shares by angle",
-                           "dimmed shadows", "background image", "supersampling", "tree over objects"}) {
+  for (const char* name :
+       {"half-edges", "(u,v) layouts", "textures", "baked textures", "integral tables", "texture tiles",
+        "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers", "intersection trees",
+        "refractions", "shares by angle", "dimmed shadows", "background image", "supersampling", "layers",
+        "tree over objects"}) {
     expect_left_out(parts, name);
   }
   EXPECT_EQ(parts.at("shadow rays").needed, "true");
@@ -70,7 +73,7 @@ TEST(Explain, OfASceneThatNeedsNearlyEverythingCountsAllButHalfEdgesLayoutsBakes
   const Workshop workshop;
   const Outcome run =
       workshop.sweepkit({"render", SWEEPKIT_SAMPLES "/scenes/vase_and_cup.json", "-o", "p.png", "--explain",
-                         "--json", "--size", "48x48", "--antialias", "3x3"});
+                         "--json", "--size", "48x48", "--antialias", "3x3", "--aov", "depth"});
   ASSERT_EQ(run.status, 0) << run.err;
   for (const auto& [name, part] : parts_of(run.out)) {
     if (name == "half-edges" || name == "(u,v) layouts" || name == "baked textures" ||
@@ -135,6 +138,42 @@ TEST(Statistics, AreWrittenBesideThePicture) {
   };
   const Outcome plan = workshop.sweepkit({"render", "ball.json", "--explain", "--json"});
   EXPECT_EQ(names_of(parts_of(workshop.read("p.json"))), names_of(parts_of(plan.out)));
+}
+
+TEST(Statistics, HaveAPageThatTellsEveryKeyAndAPhaseForEverySecond) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "p.png", "--size", "20x10", "--stats",
+                                         "p.json", "--aov", "depth", "--antialias", "3x3"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const std::string statistics = workshop.read("p.json");
+  EXPECT_NE(statistics.find("\"layer_rays\": 200,"), std::string::npos) << statistics;
+  std::ifstream file(SWEEPKIT_SAMPLES "/../docs/rendering.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  int keys = 0;
+  std::istringstream lines(statistics);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.compare(0, 3, "  \"") != 0) continue;
+    const std::string key = line.substr(3, line.find('"', 3) - 3);
+    EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
+    ++keys;
+  }
+  EXPECT_GT(keys, 15);
+  for (const char* phase :
+       {"reading", "meshes", "textures", "accelerators", "picture", "encoding", "writing"}) {
+    EXPECT_NE(statistics.find(std::string("{\"phase\": \"") + phase + "\", \"seconds\": "), std::string::npos)
+        << phase;
+  }
+}
+
+TEST(Statistics, OfFramesAreAddedUp) {
+  const Workshop workshop;
+  workshop.write("ball.json", scene_of(kBall));
+  const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "p{frame}.png", "--size", "20x10",
+                                         "--stats", "p.json", "--frames", "1-3"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(workshop.read("p.json").find("\"pictures\": 3,\n  \"eye_rays\": 600,"), std::string::npos)
+      << workshop.read("p.json");
 }
 
 TEST(Object, AloneNeedsNothingOfTheOthers) {

@@ -36,8 +36,10 @@ TEST_P(Help, HasExamplesThatWork) {
       std::istringstream words(line.substr(output + 4));
       std::string file;
       words >> file;
-      const std::size_t row = file.find("{row}");
-      if (row != std::string::npos) file.replace(row, 5, 1, '1');
+      for (const std::string number : {"{row}", "{frame}"}) {
+        const std::size_t at = file.find(number);
+        if (at != std::string::npos) file.replace(at, number.size(), 1, '1');
+      }
       EXPECT_NE(workshop.read(file), "") << line;
     }
   }
@@ -45,7 +47,8 @@ TEST_P(Help, HasExamplesThatWork) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheProgram, Help, testing::Values(""), [](const auto&) { return "itself"; });
-INSTANTIATE_TEST_SUITE_P(OfTheCommand, Help, testing::Values("generate", "render", "bake", "info", "check"),
+INSTANTIATE_TEST_SUITE_P(OfTheCommand, Help,
+                         testing::Values("generate", "render", "assemble", "bake", "info", "check"),
                          [](const auto& test) { return test.param; });
 
 TEST(Version, IsAWordAndANumber) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
-// The same bytes with 1 and 2 threads and twice in a row, for every output format. The scene has everything
-// that could differ: image and procedural textures, filters, reflections, several objects.
+// The same bytes with 1, 2 and 7 threads and twice in a row, for every output format. The scene has
+// everything that could differ: image and procedural textures, filters, reflections, several objects.
 
 #include <gtest/gtest.h>
 
@@ -56,12 +56,12 @@ TEST_P(SameBytes, ComeOutTwiceInARow) {
 
 class SamePicture : public SameBytes {};
 
-TEST_P(SamePicture, ComesOutOf1And2ThreadsAndTwiceInARow) {
+TEST_P(SamePicture, ComesOutOf1And2And7ThreadsAndTwiceInARow) {
   std::vector<std::string> arguments = GetParam();
   arguments.insert(arguments.end(), {"--threads", "1"});
   const auto one = files_made(arguments);
   EXPECT_FALSE(one.empty());
-  for (const char* threads : {"2", "2", "1"}) {
+  for (const char* threads : {"2", "2", "1", "7"}) {
     arguments.back() = threads;
     EXPECT_EQ(one, files_made(arguments)) << threads << " threads";
   }
@@ -72,6 +72,8 @@ std::string name_of(const testing::TestParamInfo<std::vector<std::string>>& info
   std::string name = info.param.front();
   for (const std::string& argument : info.param) {
     if (argument.compare(0, 4, "out.") == 0) name += "_" + argument.substr(4);
+    if (argument == "--alpha") name += "_alpha";
+    if (argument == "--frames") name += "_frame";
     if (argument == "3x3" || argument == "point") name += "_" + argument;
   }
   return name;
@@ -84,6 +86,9 @@ const std::vector<std::vector<std::string>> kPictures = {
     {"render", "scene.json", "-o", "out.exr"},
     {"render", "scene.json", "-o", "out.exr", "--filter", "point"},
     {"render", "scene.json", "-o", "out.exr", "--antialias", "3x3"},
+    {"render", "scene.json", "-o", "out.png", "--alpha", "--bits", "16", "--aov", "depth,uv"},
+    {"render", "scene.json", "-o", "out.exr", "--alpha", "--aov", "depth,normal,uv,object-id,footprint,rays"},
+    {"render", "scene.json", "-o", "out.png", "--frames", "3", "--skip-existing"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Pictures, SamePicture, testing::ValuesIn(kPictures), name_of);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -13,11 +14,14 @@
 namespace sweepkit::render::test {
 
 inline scene::Plan plan_for(const scene::Document& document, const Options& options) {
-  return scene::plan(document, {.product = scene::Request::Product::kPicture,
-                                .filter = options.filter,
-                                .is_supersampled = options.supersampling > 1,
-                                .has_neighbours = options.footprint != Footprint::kDifferentials,
-                                .has_differentials = options.footprint != Footprint::kNeighbours});
+  return scene::plan(
+      document, {.product = scene::Request::Product::kPicture,
+                 .filter = options.filter,
+                 .is_supersampled = options.supersampling > 1,
+                 .has_layers = !options.layers.empty(),
+                 .shows_texcoords = std::ranges::find(options.layers, Layer::kUv) != options.layers.end(),
+                 .has_neighbours = options.footprint != Footprint::kDifferentials,
+                 .has_differentials = options.footprint != Footprint::kNeighbours});
 }
 
 /// A scene from text, ready to be drawn again and again; its parts may be changed in between.

@@ -20,10 +20,10 @@ TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrObjectTree) {
       R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   const Picture picture = stage.draw();
-  for (const Part part :
-       {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles, Part::kTexcoords,
-        Part::kFilteredNodes, Part::kDifferentials, Part::kRows, Part::kTrees, Part::kRefractions,
-        Part::kShares, Part::kDimmedShadows, Part::kEnvironment, Part::kSupersampling, Part::kObjectTree}) {
+  for (const Part part : {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles,
+                          Part::kTexcoords, Part::kFilteredNodes, Part::kDifferentials, Part::kRows,
+                          Part::kTrees, Part::kRefractions, Part::kShares, Part::kDimmedShadows,
+                          Part::kEnvironment, Part::kSupersampling, Part::kLayers, Part::kObjectTree}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
   }
@@ -44,9 +44,9 @@ TEST(LeavingOut, EveryPartThatIsNeededShowsUp) {
     "objects": [{"name": "a", "material": "m", "plane": {"size": [4, 4]}}, {"name": "b", "translate": [0, 1, 0], "plane": {"size": [1, 1]}}]})");
   stage.set_texture(0, texmap::Image{4, 4, 1, std::vector<std::uint16_t>(16, 30000)});
   EXPECT_GT(stage.draw({.filter = Filter::kIntegral1}).ledger[Part::kTables].calls, 0u);
-  const Picture picture = stage.draw({.supersampling = 3});
+  const Picture picture = stage.draw({.supersampling = 3, .layers = {Layer::kDepth}});
   for (const Part part : {Part::kTiles, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
-                          Part::kShadows, Part::kSupersampling, Part::kObjectTree}) {
+                          Part::kShadows, Part::kSupersampling, Part::kLayers, Part::kObjectTree}) {
     EXPECT_GT(picture.ledger[part].calls, 0u) << scene::part_name(part);
   }
 }

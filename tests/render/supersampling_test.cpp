@@ -16,12 +16,12 @@ TEST(Shrinker, HasThePapersWeightsForThreeByThree) {
     for (std::size_t x = 0; x < 3; ++x) {
       Shrinker shrinker(3, 1);
       for (int k = 0; k < 3; ++k) {
-        std::vector<glm::dvec3> row(3, glm::dvec3(0.0));
-        if (k == y) row[x] = glm::dvec3(1.0);
+        std::vector<glm::dvec4> row(3, glm::dvec4(0.0));
+        if (k == y) row[x] = glm::dvec4(1.0);
         shrinker.add(k, row);
       }
       float rgb[3];
-      shrinker.take(rgb);
+      shrinker.take(rgb, 3);
       EXPECT_EQ(rgb[0], expected[y][x]);
     }
   }
@@ -31,10 +31,10 @@ TEST(Shrinker, KeepsAConstantPictureConstantForEveryFactor) {
   for (int n = 1; n <= 16; ++n) {
     Shrinker shrinker(n, 2);
     for (int k = 0; k < n; ++k)
-      shrinker.add(k, std::vector<glm::dvec3>(static_cast<std::size_t>(2 * n), glm::dvec3(0.7)));
-    float rgb[6];
-    shrinker.take(rgb);
-    for (const float value : rgb) EXPECT_NEAR(value, 0.7f, 1e-7);  // n^2 roundings of weights that sum to 1
+      shrinker.add(k, std::vector<glm::dvec4>(static_cast<std::size_t>(2 * n), glm::dvec4(0.7)));
+    float rgba[8];
+    shrinker.take(rgba, 4);
+    for (const float value : rgba) EXPECT_NEAR(value, 0.7f, 1e-7);  // n^2 roundings of weights that sum to 1
   }
 }
 

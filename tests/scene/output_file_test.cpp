@@ -60,6 +60,34 @@ class OutputFileTest : public testing::Test {
   const std::vector<std::byte> two_ = bytes_of("two");
 };
 
+TEST_F(OutputFileTest, StagedFilesTakeTheirPlacesTogetherAndNoneBeforeThat) {
+  put("a", "before");
+  {
+    StagedFiles files;
+    files.add({folder_ / "a", one_});
+    files.add({folder_ / "b", two_});
+    EXPECT_EQ(content("a"), "before");
+    EXPECT_FALSE(fs::exists(folder_ / "b"));
+    files.put_in_place();
+    EXPECT_EQ(content("a"), "one");
+    EXPECT_EQ(content("b"), "two");
+  }
+  EXPECT_EQ(names(), (std::set<std::string>{"a", "b"}));
+}
+
+TEST_F(OutputFileTest, StagedFilesThatAreGivenUpLeaveNothing) {
+  put("a", "before");
+  {
+    StagedFiles files;
+    files.add({folder_ / "a", one_});
+    files.add({"/dev/full", two_});
+    EXPECT_THROW(files.put_in_place(), OutputError);
+  }
+  { StagedFiles().add({folder_ / "b", two_}); }
+  EXPECT_EQ(names(), std::set<std::string>{"a"});
+  EXPECT_EQ(content("a"), "before");
+}
+
 TEST_F(OutputFileTest, WritesSeveralFilesAndNothingElse) {
   write_files(std::vector<OutputFile>{{folder_ / "a", one_}, {folder_ / "b", two_}});
   EXPECT_EQ(names(), (std::set<std::string>{"a", "b"}));

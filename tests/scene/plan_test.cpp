@@ -156,6 +156,17 @@ TEST(Plan, SupersamplingAndHalfEdgesAreThereWhenAskedFor) {
             std::set{Part::kHalfEdges});
 }
 
+TEST(Plan, LayersAreThereWhenAskedForAndOneOfTexcoordsLaysMeshFilesOut) {
+  EXPECT_EQ(needed(scene_of(""), {.product = Product::kPicture, .has_layers = true}),
+            std::set{Part::kLayers});
+  EXPECT_EQ(needed(scene_of(""), {.product = Product::kMeshFile, .has_layers = true}), std::set<Part>{});
+  const Document mesh = parse(
+      R"({"sweepkit": 1, "ambient": [1, 1, 1], "objects": [{"name": "m", "mesh": {"file": "m.obj"}}]})");
+  EXPECT_EQ(needed(mesh, kPicture), std::set<Part>{});
+  EXPECT_EQ(needed(mesh, {.product = Product::kPicture, .has_layers = true, .shows_texcoords = true}),
+            (std::set{Part::kLayers, Part::kLayouts}));
+}
+
 TEST(Plan, TheTreeOverObjectsNeedsTwoOrTwoInstances) {
   const Document two =
       parse(scene_text(R"("ambient": [1, 1, 1])", kFloor + R"(, {"name": "b", "plane": {"size": [1, 1]}})"));

@@ -15,6 +15,7 @@ inline constexpr int kMostThreads = 1024;
 /// called. Commands throw InputError and OutputError; main() turns them into an exit status.
 void add_generate(CLI::App& app);
 void add_render(CLI::App& app);
+void add_assemble(CLI::App& app);
 void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
 void add_check(CLI::App& app);

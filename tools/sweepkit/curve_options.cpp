@@ -80,7 +80,11 @@ void add_curve_options(CLI::App& command, CurveOptions& options) {
   group.add_option("--twist", options.twist, "Its turn in degrees: in all, or along the way 0:0,0.5:90,1:0")
       ->type_name("LAW");
   group.add_option("--guide", options.guide, "The curve that its x axis points at")->type_name("CURVE");
-  group.add_option("--frames", options.frames, "rotation-minimizing, frenet or fixed-up")->type_name("F");
+  // --frames is render's.
+  group
+      .add_option("--sweep-frames", options.frames,
+                  "How the section turns with the trajectory: rotation-minimizing, frenet or fixed-up")
+      ->type_name("F");
   group.add_option("--caps", options.caps, "flat, round or none")->type_name("C");
   group.add_option("--joints", options.joints, "miter, smooth, round or bevel")->type_name("J");
   group.add_option("--texture", options.texture, "An image file, or checker, tiles, bands, marble")
@@ -114,11 +118,12 @@ scene::SceneFile make_scene(const CurveOptions& options) {
     settings.push_back(law_setting(options.profile, sweep + "/profile", "--profile"));
   if (!options.twist.empty()) settings.push_back(law_setting(options.twist, sweep + "/twist_deg", "--twist"));
   if (!options.guide.empty()) settings.push_back(curve_setting(options.guide, sweep + "/guide", "--guide"));
-  for (const auto& [key, value] : {std::pair("frames", &options.frames), std::pair("caps", &options.caps),
-                                   std::pair("joints", &options.joints)}) {
-    if (!value->empty())
-      settings.push_back(plain(sweep + "/" + key, json_string(*value), std::string("--") + key));
-  }
+  const auto set_word = [&](const std::string& key, const std::string& word, const std::string& option) {
+    if (!word.empty()) settings.push_back(plain(sweep + "/" + key, json_string(word), option));
+  };
+  set_word("frames", options.frames, "--sweep-frames");
+  set_word("caps", options.caps, "--caps");
+  set_word("joints", options.joints, "--joints");
   if (!options.texture.empty()) {
     settings.push_back(
         plain("/textures", R"({"texture": )" + texture_json(options.texture) + "}", "--texture"));

@@ -56,6 +56,7 @@ int run(int argc, char** argv) {
       "2 bad usage or bad input; 3 findings of check --strict; 130 interrupted.");
   sweepkit::tools::add_generate(app);
   sweepkit::tools::add_render(app);
+  sweepkit::tools::add_assemble(app);
   sweepkit::tools::add_bake(app);
   sweepkit::tools::add_info(app);
   sweepkit::tools::add_check(app);

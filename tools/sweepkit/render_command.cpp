@@ -2,66 +2,33 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <map>
 #include <memory>
 #include <span>
 
 #include "commands.hpp"
 #include "findings.hpp"
 #include "memory.hpp"
-#include "output.hpp"
 #include "plan_table.hpp"
 #include "progress.hpp"
-#include "scene_input.hpp"
+#include "render.hpp"
+#include "render_statistics.hpp"
 #include "sweepkit/error.hpp"
-#include "sweepkit/render/render.hpp"
 #include "sweepkit/scene/model.hpp"
 #include "sweepkit/scene/output_file.hpp"
+#include "sweepkit/scene/turntable.hpp"
 
 namespace sweepkit::tools {
 namespace {
 
-constexpr int kDeepest = 64;  // as the scene's "depth" has it
+using Clock = std::chrono::steady_clock;
 
-const std::map<std::string, render::Accelerator> kAccelerators = {
-    {"seads", render::Accelerator::kSeads},   {"sweep", render::Accelerator::kSweep},
-    {"linear", render::Accelerator::kLinear}, {"embree", render::Accelerator::kEmbree},
-    {"auto", render::Accelerator::kAuto},
-};
+// The pixels each way that share a ray in the stages of --progressive, before the picture itself.
+constexpr std::array<int, 3> kPreviewSteps = {8, 4, 2};
 
-struct Render {
-  SceneInput input;
-  Output output;
-  render::Options options;
-  std::string size;
-  std::string filter{texmap::filter_name(render::Options{}.filter)};
-  std::string footprint = "auto";
-  std::string antialias = "off";
-  std::string accelerator = "auto";
-  std::string statistics;  // a file
-  std::size_t texture_megabytes = texmap::kDefaultTextureMemory >> 20;
-  int depth = -1;  // the scene's
-};
-
-void check_names(const Render& command) {
-  const Output& output = command.output;
-  if (output.file.empty()) {
-    if (!output.explains) throw InputError("-o FILE is needed (or --explain)");
-    if (!command.statistics.empty()) throw InputError("--stats needs -o FILE");
-    return;
-  }
-  picture_format(output);
-  scene::check_output(output.file);
-  if (command.statistics.empty()) return;
-  if (command.statistics == output.file) {
-    throw InputError({.file = "--stats"}, "needs another file than -o, got \"" + output.file + "\" for both");
-  }
-  scene::check_output(command.statistics);
-}
-
-scene::Document read_document(const Render& command) {
-  scene::Document document = read_scene(command.input);
+scene::Document read_document(const Render& command, const scene::SceneFile& scene) {
+  scene::Document document = scene.document();
   if (!command.size.empty()) {
     const PixelSize size = parse_size(command.size);
     document.width = size.width;
@@ -111,80 +78,194 @@ scene::Model build(const Render& command, scene::Document& document, const scene
   return model;
 }
 
-Report statistics_report(const render::Statistics& statistics, const scene::Plan& plan,
-                         const scene::Ledger& ledger) {
-  return {{{"eye_rays", statistics.eye_rays},
-           {"reflected_rays", statistics.reflected_rays},
-           {"refracted_rays", statistics.refracted_rays},
-           {"shadow_rays", statistics.shadow_rays},
-           {"nodes", statistics.nodes},
-           {"textured_nodes", statistics.textured_nodes},
-           {"filtered_nodes", statistics.filtered_nodes},
-           {"differential_nodes", statistics.differential_nodes},
-           {"build_seconds", statistics.build_seconds},
-           {"picture_seconds", statistics.picture_seconds},
-           {"shade_thread_seconds", statistics.shade_thread_seconds},
-           {"accelerator_bytes", statistics.accelerator_bytes},
-           {"voxels", statistics.voxels},
-           {"median_triangles", std::uint64_t{statistics.median_triangles}},
-           {"p99_triangles", std::uint64_t{statistics.p99_triangles}},
-           {"max_triangles", std::uint64_t{statistics.max_triangles}}},
-          {plan_table(plan, ledger)}};
+scene::Plan make_plan(const Render& command, const scene::Document& document) {
+  const render::Options& options = command.options;
+  return scene::plan(document, {.product = scene::Request::Product::kPicture,
+                                .filter = options.filter,
+                                .texture_memory = command.texture_megabytes << 20,
+                                .is_supersampled = options.supersampling > 1,
+                                .has_layers = !options.layers.empty(),
+                                .shows_texcoords = std::ranges::find(options.layers, render::Layer::kUv) !=
+                                                   options.layers.end(),
+                                .has_neighbours = options.footprint != render::Footprint::kDifferentials,
+                                .has_differentials = options.footprint != render::Footprint::kNeighbours});
 }
 
-void draw(Render& command) {
-  const auto start = std::chrono::steady_clock::now();
-  const Output& output = command.output;
-  check_names(command);
-  command.options.filter = static_cast<texmap::Filter>(
-      std::ranges::find(texmap::kFilterNames, command.filter) - texmap::kFilterNames.begin());
-  command.options.footprint = command.footprint == "neighbours"      ? render::Footprint::kNeighbours
-                              : command.footprint == "differentials" ? render::Footprint::kDifferentials
-                                                                     : render::Footprint::kAuto;
-  command.options.supersampling = command.antialias == "3x3" ? 3 : 1;
+// Gives the jobs their marks, and takes those out whose files are there already with the same.
+void mark_jobs(const Render& command, RenderRequest& request, const scene::SceneFile& scene,
+               PictureMark mark) {
+  mark.key = scene.content_hash(command.key_options).substr(0, 32);
+  mark.tile = request.tile;
+  mark.is_whole_marked = !command.frames.empty() || command.skips_existing;
+  for (PictureJob& job : request.jobs) {
+    mark.turn = job.turn;
+    job.description = to_text(mark);
+  }
+  if (!command.skips_existing) return;
+  std::erase_if(request.jobs, [](const PictureJob& job) {
+    return std::ranges::all_of(job.names, [&](const std::string& name) {
+      return texmap::read_description(name) == job.description;
+    });
+  });
+}
 
-  command.options.accelerator = kAccelerators.at(command.accelerator);
-  if (command.options.accelerator == render::Accelerator::kEmbree && !render::has_embree()) {
-    throw InputError({.file = "--accelerator"},
-                     "embree is not in this build; install Embree 3 (Debian: libembree-dev) and build again, "
-                     "or leave it to auto");
+// Draws the jobs one after another and writes each as soon as it is whole.
+class PictureWriter {
+ public:
+  PictureWriter(const Render& command, const RenderRequest& request, const scene::Plan& plan, Phases& phases)
+      : command_(command), request_(request), plan_(plan), phases_(phases) {}
+
+  void draw(scene::Model& model, const scene::Document& document) {
+    if (!request_.jobs.empty()) {
+      Progress progress(command_.output.is_quiet);
+      progress_ = &progress;
+      render::Options options = command_.options;
+      if (const auto on_progress = progress.callback()) {
+        options.on_progress = [this, on_progress](double done) {
+          on_progress((work_done_ + done * work_) / all_work());
+        };
+      }
+      const render::Renderer renderer(model.scene, plan_, options);
+      phases_.end(Phase::kAccelerators);
+      const scene::Camera camera = model.scene.camera;
+      for (std::size_t i = 0; i < request_.jobs.size(); ++i) {
+        const PictureJob& job = request_.jobs[i];
+        // The remainder first, so that a full turn is exactly none.
+        if (job.turn) {
+          const int step = job.turn->frame % job.turn->count;
+          scene::look_from(model.scene, document, turned(camera, 360.0 * step / job.turn->count));
+        }
+        if (command_.is_progressive) {
+          for (const int step : kPreviewSteps) draw_stage(renderer, job, step);
+        }
+        draw_picture(renderer, job, i + 1 == request_.jobs.size(), model.ledger);
+      }
+      progress_ = nullptr;
+    } else if (!command_.statistics.empty()) {
+      scene::StagedFiles files;
+      add_statistics(files, model.ledger);
+      files.put_in_place();
+    }
   }
 
-  scene::Document document = read_document(command);
-  const scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kPicture,
-                                                  .filter = command.options.filter,
-                                                  .texture_memory = command.texture_megabytes << 20,
-                                                  .is_supersampled = command.options.supersampling > 1,
-                                                  .has_neighbours = command.footprint != "differentials",
-                                                  .has_differentials = command.footprint != "neighbours"});
+  const RenderTotal& total() const { return total_; }
+
+ private:
+  // In eye rays a pixel.
+  double work_of(int step) const {
+    const int n = command_.options.supersampling;
+    return step > 1 ? 1.0 / (step * step) : static_cast<double>(n * n);
+  }
+  double all_work() const {
+    double work = work_of(1);
+    for (std::size_t i = 0; command_.is_progressive && i < kPreviewSteps.size(); ++i)
+      work += work_of(kPreviewSteps[i]);
+    return work * static_cast<double>(request_.jobs.size());
+  }
+
+  std::vector<EncodedFile> draw_files(const render::Renderer& renderer, const PictureJob& job, int step) {
+    work_ = work_of(step);
+    render::Picture picture = renderer.draw(step);
+    work_done_ += work_;
+    total_.add(picture);
+    phases_.end(Phase::kPicture);
+    // A preview is not what its mark would say.
+    std::vector<EncodedFile> files = encode_picture(std::move(picture), job.file, request_.encoding,
+                                                    step > 1 ? std::string() : job.description);
+    phases_.end(Phase::kEncoding);
+    return files;
+  }
+
+  void draw_stage(const render::Renderer& renderer, const PictureJob& job, int step) {
+    const std::vector<EncodedFile> files = draw_files(renderer, job, step);
+    scene::StagedFiles staged;
+    for (const EncodedFile& file : files) staged.add({file.name, file.bytes});
+    staged.put_in_place();
+    phases_.end(Phase::kWriting);
+    progress_->clear();
+    say(job.file + ": a preview by a ray for each " + std::to_string(step) + " x " + std::to_string(step) +
+            " pixels",
+        command_.output);
+  }
+
+  void draw_picture(const render::Renderer& renderer, const PictureJob& job, bool is_last,
+                    const scene::Ledger& built) {
+    const std::vector<EncodedFile> files = draw_files(renderer, job, 1);
+    scene::StagedFiles staged;
+    for (const EncodedFile& file : files) staged.add({file.name, file.bytes});
+    phases_.end(Phase::kWriting);
+    if (is_last && !command_.statistics.empty()) add_statistics(staged, built);
+    staged.put_in_place();
+  }
+
+  void add_statistics(scene::StagedFiles& files, const scene::Ledger& built) {
+    RenderTotal total = total_;
+    total.ledger.add(built);
+    statistics_ = to_json(statistics_report(total, phases_, plan_));
+    files.add({command_.statistics, std::as_bytes(std::span(statistics_))});
+  }
+
+  const Render& command_;
+  const RenderRequest& request_;
+  const scene::Plan& plan_;
+  Phases& phases_;
+  Progress* progress_ = nullptr;  // while pictures are drawn
+  RenderTotal total_;
+  std::string statistics_;
+  double work_ = 0;  // of the picture being drawn
+  double work_done_ = 0;
+};
+
+void draw(Render& command) {
+  const Clock::time_point start = Clock::now();
+  const Output& output = command.output;
+  Phases phases;
+  RenderRequest request = read_request(command);
+  const scene::SceneFile scene = open_scene(command.input);
+  scene::Document document = read_document(command, scene);
+  const render::Region whole = area_of(document.width, document.height, request.crop);
+  const render::Region part = request.tile ? part_of(whole, *request.tile) : whole;
+  if (request.crop || request.tile) {
+    command.options.crop = part;
+    request.encoding.window = {part.x, part.y, document.width, document.height};
+  }
+  const scene::Plan plan = make_plan(command, document);
   if (output.file.empty()) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
   }
-  const scene::Model model = build(command, document, plan);
-  if (!output.is_quiet) warn(scene::check(document, model, scene::Thoroughness::kQuick), output);
-  const render::Picture picture = [&] {
-    Progress progress(output.is_quiet);
-    command.options.on_progress = progress.callback();
-    return render::render(model.scene, plan, command.options);
-  }();
-  scene::Ledger ledger = model.ledger;
-  ledger.add(picture.ledger);
-
-  const std::vector<std::byte> bytes = texmap::encode_image(picture.image, picture_format(output));
-  std::vector<scene::OutputFile> files = {{output.file, bytes}};
-  const std::string statistics =
-      command.statistics.empty() ? "" : to_json(statistics_report(picture.statistics, plan, ledger));
-  if (!command.statistics.empty()) {
-    files.push_back({command.statistics, std::as_bytes(std::span(statistics))});
+  const std::size_t wanted = request.jobs.size();
+  if (request.is_marked) {
+    mark_jobs(command, request, scene, {.width = document.width, .height = document.height, .area = whole});
   }
-  scene::write_files(files);
+  phases.end(Phase::kReading);
+  PictureWriter writer(command, request, plan, phases);
+  scene::Model model;
+  if (!request.jobs.empty()) {
+    model = build(command, document, plan);
+    phases.end(Phase::kMeshes, model.mesh_seconds);
+    phases.end(Phase::kTextures, model.texture_seconds);
+    if (!output.is_quiet) warn(scene::check(document, model, scene::Thoroughness::kQuick), output);
+  }
+  writer.draw(model, document);
 
-  if (output.explains) print({{}, {plan_table(plan, ledger)}}, output);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  say((output.is_standard() ? "standard output" : output.file) + ": " + std::to_string(document.width) +
-          " x " + std::to_string(document.height) + " pixels in " + duration_text(seconds),
-      output);
+  if (output.explains) {
+    scene::Ledger ledger = model.ledger;
+    ledger.add(writer.total().ledger);
+    print({{}, {plan_table(plan, ledger)}}, output);
+  }
+  const std::string seconds = duration_text(std::chrono::duration<double>(Clock::now() - start).count());
+  const std::string name = output.is_standard() ? "standard output" : output.file;
+  const std::string pixels = std::to_string(part.width) + " x " + std::to_string(part.height) + " pixels";
+  const std::size_t drawn = request.jobs.size();
+  if (!command.frames.empty()) {
+    say(name + ": " + std::to_string(drawn) + (drawn == 1 ? " frame" : " frames") + " of " + pixels +
+            (drawn < wanted ? ", " + std::to_string(wanted - drawn) + " there already," : "") + " in " +
+            seconds,
+        output);
+  } else {
+    say(name + ": " + (drawn > 0 ? pixels + " in " + seconds : "is there already"), output);
+  }
 }
 
 }  // namespace
@@ -192,61 +273,11 @@ void draw(Render& command) {
 void add_render(CLI::App& app) {
   const auto command = std::make_shared<Render>();
   CLI::App& sub = *app.add_subcommand("render", "Draw the scene as a picture by ray tracing");
-  add_scene_input(sub, command->input);
-  add_picture_output(sub, command->output, "The picture");
-  sub.add_option("--size", command->size, "Pixels, instead of the scene's")->type_name("WxH");
-  sub.add_option("--filter", command->filter,
-                 "How image textures are looked up; ewa is the elliptical average; auto is bilinear where a "
-                 "texture is magnified and elsewhere ewa, from coarser copies the longer the footprint; "
-                 "integral-1, -2 and -3 average one, two or three boxes convolved, by tables of sums: the "
-                 "paper's way")
-      ->capture_default_str()
-      ->check(
-          CLI::IsMember(std::vector<std::string>(texmap::kFilterNames.begin(), texmap::kFilterNames.end())));
-  sub.add_option(
-         "--footprint", command->footprint,
-         "What the filter covers: auto, a pixel, by the next neighbours, and by the ray's derivatives "
-         "where there are none; differentials, by those alone; neighbours, as the paper has it, only "
-         "where all eight hit the same surface, and integral-1, -2 and -3 take their box, two pixels wide, "
-         "as all that they cover")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"neighbours", "differentials", "auto"}));
-  sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"off", "3x3"}));
-  sub.add_option(
-         "--accelerator", command->accelerator,
-         "How the triangles that rays meet are found: seads, the paper's grids; sweep, boxes over the blocks "
-         "of a sweep's own grid; embree, Intel's tree, "
-         "where this build has it: a few pixels may differ; linear, all of them in turn; auto, the "
-         "fastest of ours. The picture is the same with any of ours")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"seads", "sweep", "linear", "embree", "auto"}));
-  sub.add_option("--depth", command->depth, "Levels of reflection and refraction, instead of the scene's")
-      ->type_name("N")
-      ->check(CLI::Range(0, kDeepest));
-  sub.add_option(
-         "--texture-memory", command->texture_megabytes,
-         "What image textures may fill of the memory; larger ones are read piece by piece. The picture is "
-         "the same")
-      ->type_name("MB")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{16}, std::size_t{1} << 20));
-  sub.add_option("--threads", command->options.threads,
-                 "Threads; without it as many as the machine has. The picture is the same")
-      ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
-  sub.add_option("--stats", command->statistics, "Write counters, times and the plan as JSON")
-      ->type_name("FILE");
-  add_explain(sub, command->output);
-  add_json(sub, command->output, "Print the table of --explain as JSON")->needs(sub.get_option("--explain"));
-  add_quiet(sub, command->output);
-  sub.footer(
-      "Examples:\n"
-      "  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png --antialias 3x3\n"
-      "  sweepkit render --contour star:5,0.3,0.18 --trajectory line:0,0,0,0,1.5,0 --twist 120 -o "
-      "column.png");
-  sub.callback([command] { draw(*command); });
+  add_render_options(sub, *command);
+  sub.callback([command, &sub] {
+    command->key_options = options_of_picture(sub);
+    draw(*command);
+  });
 }
 
 }  // namespace sweepkit::tools

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "sweepkit/render/layer.hpp"
 #include "sweepkit/scene/memory_estimate.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
@@ -35,6 +39,8 @@ enum class Accelerator {
   kEmbree,  ///< Intel's, where this build has it: float32 culls, so a few pixels may differ
   kAuto,    ///< the fastest of ours for each mesh
 };
+inline constexpr std::array<std::string_view, 5> kAcceleratorNames = {"seads", "sweep", "linear", "embree",
+                                                                      "auto"};
 /// Is kEmbree in this build?
 bool has_embree();
 
@@ -54,6 +60,8 @@ struct Options {
   Footprint footprint = Footprint::kAuto;
   int supersampling = 1;       ///< 1 to 64
   std::optional<Region> crop;  ///< this part of the picture alone, the same bytes; inside it, not empty
+  bool has_alpha = false;      ///< leave the background out and say what objects cover
+  std::vector<Layer> layers;   ///< none twice
   int threads = 0;             ///< 0: as many as the machine has
   Accelerator accelerator = Accelerator::kAuto;  ///< the picture is the same with any of ours
   std::function<void(double done)>
@@ -69,6 +77,7 @@ struct Statistics {
   std::uint64_t reflected_rays = 0;
   std::uint64_t refracted_rays = 0;
   std::uint64_t shadow_rays = 0;
+  std::uint64_t layer_rays = 0;          ///< through pixels' middles, for the layers alone
   std::uint64_t nodes = 0;               ///< intersection-tree nodes shaded
   std::uint64_t filtered_nodes = 0;      ///< of them, filtered over their neighbours
   std::uint64_t differential_nodes = 0;  ///< of them, filtered by ray differentials
@@ -84,7 +93,10 @@ struct Statistics {
 };
 
 struct Picture {
-  texmap::Image image;  ///< float RGB, linear light; of the crop where there is one
+  /// Float RGB, linear light; of the crop where there is one. With alpha RGBA, the colours multiplied by it:
+  /// the share of the pixel's rays that met an object (glass is an object).
+  texmap::Image image;
+  std::vector<PictureLayer> layers;  ///< as asked for, as large as the image
   Statistics statistics;
   scene::Ledger ledger;
 };
@@ -97,7 +109,28 @@ std::uint64_t bytes_a_triangle(Accelerator accelerator);
 std::uint64_t estimate_memory(const scene::MemoryEstimate& scene, int width, int height,
                               const Options& options = {});
 
-/// Draws the scene: rows of intersection trees, three at a time, each node's texture filtered over the
+/// A scene made ready to be drawn again and again: its accelerators are built, tiles and tables of its
+/// textures are kept from one picture to the next.
+class Renderer {
+ public:
+  /// `scene` must outlive this and keep its meshes, objects, materials and textures; its camera, lights and
+  /// background may change between two pictures. `plan` and `options` are as render() has them; what
+  /// `options` points at must live as long. Throws InputError for options that cannot be.
+  Renderer(const scene::Scene& scene, const scene::Plan& plan, Options options);
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  ~Renderer();
+
+  /// The picture. With `step` n > 1 a rough one as large, of n x n pixels in one colour, by one eye ray each
+  /// through their common middle: for a preview, in 1/n^2 of the time.
+  Picture draw(int step = 1) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Draws the scene once: rows of intersection trees, three at a time, each node's texture filtered over the
 /// neighbouring pixels' hits [Akdemir98, section 3]. The same scene gives the same bytes for any number of
 /// threads. `plan` says what may be left out; it must come from the same document and a request that fits
 /// `options`. Throws InputError for options out of range, and Cancelled.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -148,6 +149,11 @@ class SceneFile {
   /// The scene with these values set, in order; the file itself stays as it is, so that any number of threads
   /// may ask at once. Throws InputError with file, line, column and JSON pointer.
   Document document(std::span<const Setting> settings = {}) const;
+
+  /// A hash (SHA-256, hexadecimal) of all that the scene says, of the bytes of the files that it names, and
+  /// of `more`. It is the same wherever the scene lies and however it is spaced. Throws InputError for a file
+  /// that cannot be read.
+  std::string content_hash(std::string_view more) const;
 
   /// Throws InputError at `place` if set() with this pointer would find nothing to set.
   void check_pointer(const std::string& pointer, const Place& place) const;

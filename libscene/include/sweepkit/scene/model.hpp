@@ -19,7 +19,9 @@ class ImageStore;
 struct Model {
   std::vector<std::unique_ptr<const sweep::Mesh>> meshes;  ///< one an object; OpenMesh's cannot be moved
   Scene scene;
-  Ledger ledger;  ///< half-edges, textures
+  Ledger ledger;               ///< half-edges, textures
+  double mesh_seconds = 0;     ///< that the meshes took to make
+  double texture_seconds = 0;  ///< that the textures took to read
 
   Model() = default;
   Model(Model&&) = default;

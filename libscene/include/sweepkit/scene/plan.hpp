@@ -34,6 +34,7 @@ enum class Part {
   kDimmedShadows,  ///< shadow rays followed through what transmits
   kEnvironment,    ///< a picture as background, looked up by direction
   kSupersampling,  ///< the larger picture that is shrunk
+  kLayers,         ///< depth, normals and the like beside the picture
   kObjectTree,     ///< the tree over the objects' boxes
 };
 inline constexpr std::size_t kPartCount = static_cast<std::size_t>(Part::kObjectTree) + 1;
@@ -63,6 +64,8 @@ struct Request {
   texmap::Filter filter = texmap::Filter::kPoint;
   std::size_t texture_memory = texmap::kDefaultTextureMemory;  ///< bytes that a picture's textures may fill
   bool is_supersampled = false;
+  bool has_layers = false;        ///< something besides colours is told of each pixel
+  bool shows_texcoords = false;   ///< (u,v) is, of that
   bool has_neighbours = true;     ///< footprints are made from the neighbouring pixels' hits
   bool has_differentials = true;  ///< where there are none, or at all, from the rays' derivatives
 };

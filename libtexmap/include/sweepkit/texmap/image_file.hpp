@@ -50,9 +50,10 @@ enum class ImageFormat { kPng, kJpeg, kTiff, kExr };
 /// The format that a file name ends in: .png .jpg .jpeg .tif .tiff .exr. Throws InputError for any other.
 ImageFormat image_format(const std::filesystem::path& file);
 
-/// The bytes of an image file: PNG, JPEG and TIFF 8-bit sRGB (or linear, for data), EXR 16-bit half linear.
-/// Values are rounded to nearest and clamped to what the format holds; JPEG leaves alpha out. The same image
-/// gives the same bytes (no time stamps). Throws OutputError if the encoder fails or the module is missing.
+/// The bytes of an image file: PNG, JPEG and TIFF 8-bit sRGB (or linear, for data), EXR 16-bit half linear;
+/// file_image.hpp has other depths and more. Values are rounded to nearest and clamped to what the format
+/// holds, NaN becomes 0; JPEG leaves alpha out. The same image gives the same bytes (no time stamps). Throws
+/// OutputError if the encoder fails or the module is missing.
 std::vector<std::byte> encode_image(const Image& image, ImageFormat format,
                                     ColorSpace color_space = ColorSpace::kSrgb);
 

@@ -23,6 +23,9 @@ struct ImageTexture {
   std::shared_ptr<const TexelSource> file;
 };
 
+/// Its texels across and down; 0 where there is no image.
+glm::ivec2 size_of(const ImageTexture& texture);
+
 using Texture = std::variant<ImageTexture, Procedural>;
 
 /// The colour at one point, linear RGB: the texel that (u,v) falls in, or the procedural's value. `position`

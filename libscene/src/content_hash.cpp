@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// Values are hashed as they were read, so that comments, spacing and the file's own name do not count, and
+// each with its kind and size before it, so that no two scenes make the same bytes. What names a file is told
+// by the disk alone and not by a list of keys, which a new key would make wrong without anyone seeing.
+
+#include <bit>
+#include <fstream>
+#include <set>
+
+#include "json_value.hpp"
+#include "sha256.hpp"
+#include "sweepkit/error.hpp"
+#include "sweepkit/scene/document.hpp"
+
+namespace sweepkit::scene {
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{1} << 20;
+
+class ContentHash {
+ public:
+  explicit ContentHash(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  void add_text(std::string_view text) {
+    add_number(text.size());
+    hash_.add(text);
+  }
+
+  void add(const JsonValue& value) {
+    add_number(value.data.index());
+    std::visit([this](const auto& data) { add_data(data); }, value.data);
+  }
+
+  std::string digits() { return hash_.digits(); }
+
+ private:
+  void add_number(std::uint64_t number) {
+    std::array<std::byte, 8> bytes;
+    for (std::size_t i = 0; i < 8; ++i) bytes[i] = static_cast<std::byte>(number >> (8 * i));
+    hash_.add(bytes);
+  }
+
+  void add_data(std::nullptr_t) {}
+  void add_data(bool value) { add_number(value ? 1 : 0); }
+  void add_data(double value) { add_number(std::bit_cast<std::uint64_t>(value)); }
+  void add_data(const std::string& text) {
+    add_text(text);
+    add_file(text);
+  }
+  void add_data(const JsonValue::Array& items) {
+    add_number(items.size());
+    for (const JsonValue& item : items) add(item);
+  }
+  void add_data(const JsonValue::Object& members) {
+    add_number(members.size());
+    for (const JsonMember& member : members) {
+      add_text(member.key);
+      add(member.value);
+    }
+  }
+
+  // The bytes of the file of that name, once.
+  void add_file(const std::string& name) {
+    std::error_code ignored;
+    const std::filesystem::path file = folder_ / name;
+    if (name.empty() || !std::filesystem::is_regular_file(file, ignored) || !files_.insert(name).second)
+      return;
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<char> block(kBlock);
+    std::uint64_t size = 0;
+    while (stream) {
+      stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+      const auto count = static_cast<std::size_t>(stream.gcount());
+      hash_.add(std::string_view(block.data(), count));
+      size += count;
+    }
+    if (!stream.eof()) throw InputError({.file = file.string()}, "cannot be read");
+    add_number(size);
+  }
+
+  std::filesystem::path folder_;
+  Sha256 hash_;
+  std::set<std::string> files_;
+};
+
+}  // namespace
+
+std::string SceneFile::content_hash(std::string_view more) const {
+  ContentHash hash(folder_);
+  hash.add_text(more);
+  hash.add(json_->root);
+  return hash.digits();
+}
+
+}  // namespace sweepkit::scene
