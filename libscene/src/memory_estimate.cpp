@@ -57,6 +57,11 @@ MemoryEstimate estimate_memory(const Document& document) {
     std::uint64_t largest = 0;
     for (const Piece& piece : object.pieces) {
       const Counts counts = counts_of(piece);
+      try {
+        sweep::check_triangle_count(counts.triangles);
+      } catch (const InputError& error) {
+        throw InputError(piece.place, error.problem());
+      }
       const std::uint64_t bytes =
           counts.bytes + counts.vertices * kBytesAVertex + counts.triangles * kBytesATriangle;
       estimate.triangles += counts.triangles;

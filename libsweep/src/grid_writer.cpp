@@ -64,10 +64,7 @@ void lay_out_wall(Mesh& mesh, const std::vector<Run>& column_runs, const std::ve
       vertices += patch.vertex_count();
       triangles += patch.triangle_count();
       mesh.patches.push_back(patch);
-      // 32-bit half-edge handles are the nearest end: three a triangle.
-      if (triangles * 3 > std::numeric_limits<std::int32_t>::max()) {
-        throw InputError("has too many triangles for 32-bit indices; ask for fewer cells");
-      }
+      check_triangle_count(triangles);
     }
   }
   add_vertices(mesh, vertices - mesh.n_vertices());

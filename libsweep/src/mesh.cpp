@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+
+#include "sweepkit/error.hpp"
 
 namespace sweepkit::sweep {
 
@@ -46,6 +49,12 @@ std::size_t Mesh::bytes() const {
   constexpr std::size_t kVertexBytes =
       2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(OpenMesh::ArrayItems::Vertex) + kItemData;
   return n_vertices() * kVertexBytes + triangles.size() * sizeof(Triangle) + half_edge_bytes();
+}
+
+void check_triangle_count(std::uint64_t triangles) {
+  // 32-bit half-edge handles are the nearest end: three a triangle.
+  if (triangles * 3 > std::numeric_limits<std::int32_t>::max())
+    throw InputError("has too many triangles for 32-bit indices; ask for fewer cells");
 }
 
 double largest_stretch(const glm::dmat3& map) {

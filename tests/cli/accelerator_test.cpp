@@ -37,7 +37,7 @@ TEST(AcceleratorOption, RefusesOthers) {
   workshop.write("ball.json", scene_of(kBall));
   const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "p.png", "--accelerator", "octree"});
   EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.err.find("--accelerator: octree not in {seads,embree,linear,auto}"), std::string::npos)
+  EXPECT_NE(run.err.find("--accelerator: octree not in {seads,sweep,linear,embree,auto}"), std::string::npos)
       << run.err;
 }
 

@@ -20,7 +20,8 @@ struct MemoryEstimate {
 
 /// From the numbers of cells, and for mesh files from the files' sizes: within a few percent for what is
 /// swept and revolved, roughly for mesh files. Shapes that a tolerance divides count nothing: how many cells
-/// they need is found by dividing them, and Tessellation::most_triangles stops that.
+/// they need is found by dividing them, and Tessellation::most_triangles stops that. Throws InputError with
+/// the place of a shape that has too many triangles for any memory.
 MemoryEstimate estimate_memory(const Document& document);
 
 }  // namespace sweepkit::scene

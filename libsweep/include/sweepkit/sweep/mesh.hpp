@@ -3,6 +3,7 @@
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
@@ -45,6 +46,9 @@ class Mesh : public OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
   std::size_t bytes() const;
   std::size_t half_edge_bytes() const;
 };
+
+/// Throws InputError for a mesh of more triangles than 32-bit indices can count.
+void check_triangle_count(std::uint64_t triangles);
 
 /// The most by which a linear map lengthens a distance: exact where its columns are perpendicular, as of
 /// scaling before turning, and a bound on it otherwise.
