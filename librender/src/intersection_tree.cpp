@@ -3,8 +3,11 @@
 #include "intersection_tree.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "material_of.hpp"
+#include "position_hash.hpp"
 #include "surface_point.hpp"
 #include "sweepkit/texmap/area_ratio_mapping.hpp"
 #include "sweepkit/texmap/right_triangle.hpp"
@@ -21,14 +24,16 @@ Ray reflected(const Hit& hit, const SurfacePoint& point, const glm::dvec3& direc
 
 std::size_t TreeRow::bytes() const {
   return roots.capacity() * sizeof(roots[0]) + nodes.capacity() * sizeof(nodes[0]) +
-         texcoords.capacity() * sizeof(texcoords[0]) + links.capacity() * sizeof(links[0]);
+         texcoords.capacity() * sizeof(texcoords[0]) + links.capacity() * sizeof(links[0]) +
+         visibility.bytes();
 }
 
 TreeBuilder::TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer)
     : scene_(scene),
       tracer_(tracer),
       needs_texcoords_(plan.needs_part(scene::Part::kTexcoords)),
-      needs_trees_(plan.needs_part(scene::Part::kTrees)) {}
+      needs_trees_(plan.needs_part(scene::Part::kTrees)),
+      needs_shadows_(plan.needs_part(scene::Part::kShadows)) {}
 
 std::uint32_t TreeBuilder::area_of(const Hit& hit) const {
   const std::span<const sweep::Area> areas = tracer_.object(hit.object).mesh->areas;
@@ -60,27 +65,53 @@ std::int32_t TreeBuilder::add_node(TreeRow& row, const Hit& hit, const Ray& ray,
   return static_cast<std::int32_t>(row.nodes.size()) - 1;
 }
 
+void TreeBuilder::grow(TreeRow& row, std::int32_t root, std::uint64_t seed, RayCounts& counts) const {
+  std::int32_t node = root;
+  for (int level = 0; node >= 0; ++level) {
+    const TreeNode at = row.nodes[static_cast<std::size_t>(node)];
+    const bool is_followed =
+        needs_trees_ && level < scene_.depth && material_of(scene_, at.hit.object).reflect > 0;
+    if (!is_followed && !needs_shadows_) return;
+    const SurfacePoint point = surface_point(tracer_, at.hit, at.direction);
+    if (needs_shadows_) {
+      counts.shadow += add_visibility(row.visibility, scene_, tracer_, at.hit, point,
+                                        seed + static_cast<std::uint64_t>(level));
+    }
+    if (!is_followed) return;
+    const Ray ray = reflected(at.hit, point, at.direction);
+    const Hit hit = tracer_.nearest(ray);
+    ++counts.reflected;
+    const std::int32_t child = hit.is_hit() ? add_node(row, hit, ray, counts) : kEscaped;
+    row.links[static_cast<std::size_t>(node)].reflection = child;
+    node = child;
+  }
+}
+
 void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end,
                         RayCounts& counts) const {
   row.first_pixel = first;
+  row.places.clear();
+  for (int x = first; x < end; ++x) row.places.push_back(middle_of(x, y));
+  build(row, eye_rays, counts);
+}
+
+void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, RayCounts& counts) const {
   row.roots.clear();
   row.nodes.clear();
   row.texcoords.clear();
   row.links.clear();
-  for (int x = first; x < end; ++x) {
-    Ray ray = eye_rays.through(x, y);
-    Hit hit = tracer_.nearest(ray);
-    ++counts.eye;
-    std::int32_t node = hit.is_hit() ? add_node(row, hit, ray, counts) : kEscaped;
-    row.roots.push_back(node);
-    for (int level = 0; needs_trees_ && node >= 0 && level < scene_.depth; ++level) {
-      if (!(material_of(scene_, hit.object).reflect > 0)) break;
-      ray = reflected(hit, surface_point(tracer_, hit, ray.direction), ray.direction);
-      hit = tracer_.nearest(ray);
-      ++counts.reflected;
-      const std::int32_t child = hit.is_hit() ? add_node(row, hit, ray, counts) : kEscaped;
-      row.links[static_cast<std::size_t>(node)].reflection = child;
-      node = child;
+  row.visibility.clear();
+  std::array<Ray, kPacket> rays;
+  std::array<Hit, kPacket> hits;
+  for (std::size_t first = 0; first < row.places.size(); first += kPacket) {
+    const std::size_t count = std::min(kPacket, row.places.size() - first);
+    for (std::size_t i = 0; i < count; ++i) rays[i] = eye_rays.through(row.places[first + i]);
+    tracer_.nearest(std::span(rays).first(count), std::span(hits).first(count));
+    counts.eye += count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int32_t root = hits[i].is_hit() ? add_node(row, hits[i], rays[i], counts) : kEscaped;
+      row.roots.push_back(root);
+      grow(row, root, seed_of(row.places[first + i]), counts);
     }
   }
 }

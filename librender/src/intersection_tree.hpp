@@ -11,6 +11,7 @@
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
 #include "tracer.hpp"
+#include "visibility.hpp"
 
 namespace sweepkit::render {
 
@@ -31,16 +32,18 @@ struct TreeLinks {
   std::int32_t refraction = kNotTraced;
 };
 
-/// One row of the picture as intersection trees, with a pixel more at either end (the filter's border) where
-/// something is filtered. Nodes lie flat, parents before children, and link by index;
-/// (u,v) and links have their arrays only where the plan needs them. The storage is used again from row to
-/// row.
+/// Intersection trees, one for each of the places that eye rays go through: those of a row of pixels, with
+/// some more at either end (the filter's border) where something is filtered, or the samples of a few pixels.
+/// Nodes lie flat, parents before children, and link by index; (u,v), links and visibility have their arrays
+/// only where the plan needs them. The storage is used again from row to row.
 struct TreeRow {
   int first_pixel = 0;
+  std::vector<glm::dvec2> places;   ///< of the picture, in pixels
   std::vector<std::int32_t> roots;  ///< node or kEscaped
   std::vector<TreeNode> nodes;
   std::vector<glm::dvec2> texcoords;
   std::vector<TreeLinks> links;
+  Visibility visibility;
 
   std::int32_t root(int x) const { return roots[static_cast<std::size_t>(x - first_pixel)]; }
   std::int32_t reflection(std::int32_t node) const {
@@ -53,6 +56,7 @@ struct TreeRow {
 struct RayCounts {
   std::uint64_t eye = 0;
   std::uint64_t reflected = 0;
+  std::uint64_t shadow = 0;
   std::uint64_t texcoords = 0;
 };
 
@@ -63,8 +67,12 @@ class TreeBuilder {
 
   /// Pixels first..end-1 of row y.
   void build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end, RayCounts& counts) const;
+  /// The trees of row.places.
+  void build(TreeRow& row, const EyeRays& eye_rays, RayCounts& counts) const;
 
  private:
+  // Goes on from a root: what it mirrors, and the light that falls on all of it.
+  void grow(TreeRow& row, std::int32_t root, std::uint64_t seed, RayCounts& counts) const;
   std::int32_t add_node(TreeRow& row, const Hit& hit, const Ray& ray, RayCounts& counts) const;
   std::uint32_t area_of(const Hit& hit) const;
   glm::dvec2 texcoord_of(const Hit& hit) const;
@@ -73,6 +81,7 @@ class TreeBuilder {
   const Tracer& tracer_;
   bool needs_texcoords_;
   bool needs_trees_;
+  bool needs_shadows_;
 };
 
 }  // namespace sweepkit::render

@@ -19,13 +19,19 @@ using RowWindow = std::array<const TreeRow*, 3>;
 /// none.
 using Neighbourhood = std::array<std::array<std::int32_t, 3>, 3>;
 
-/// How a node was reached: from which one, or from the eye through which pixel.
+/// An eye ray's place, and the side of the square about it that it stands for, in pixels.
+struct EyeSample {
+  const EyeRays* eye_rays;
+  glm::dvec2 place;
+  double side;
+  bool is_alone = false;  ///< without neighbours on a grid
+};
+
+/// How a node was reached: from which one, or from the eye by which ray.
 struct NodePath {
   const TreeNode* node;
   const NodePath* from;
-  const EyeRays* eye_rays;
-  int x;
-  int y;
+  EyeSample eye;
 };
 
 /// The neighbour's node in its row, if it lies on the same piece of the same object.

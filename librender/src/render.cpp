@@ -84,7 +84,9 @@ void fill_ledger(scene::Ledger& ledger, const BandCounts& counts, const Tracer& 
   ledger[Part::kDifferentials] = {0, counts.shading.lookups.differentials};
   ledger[Part::kRows] = {counts.row_bytes, counts.row_bytes > 0 ? 2u : 0u};
   ledger[Part::kTrees] = {counts.link_bytes, counts.rays.reflected};
-  ledger[Part::kShadows] = {0, counts.shading.shadow_rays};
+  ledger[Part::kShadows] = {counts.visibility_bytes, counts.rays.shadow};
+  ledger[Part::kShadowEdges] = {0, counts.shading.smoothed};
+  ledger[Part::kRefinement] = {counts.refinement.bytes, counts.refinement.pixels};
   ledger[Part::kSupersampling] = {counts.shrink_bytes, counts.shrink_bytes > 0 ? 1u : 0u};
   if (tracer.has_global_grid()) ledger[Part::kGlobalGrid] = {tracer.global_grid().bytes(), 1};
 }
@@ -96,6 +98,12 @@ void check(const scene::Scene& scene, const Options& options) {
   }
   if (options.threads < 0 || options.threads > 4096) {
     throw InputError("threads needs 0 (all) to 4096, got " + std::to_string(options.threads));
+  }
+  if (const auto& adaptive = options.adaptive) {
+    if (options.supersampling != 1) throw InputError("adaptive antialiasing needs a supersampling of 1, got " + std::to_string(options.supersampling));
+    if (!(adaptive->contrast > 0)) throw InputError("the contrast needs to be over 0, got " + std::to_string(adaptive->contrast));
+    if (adaptive->most_rays < 4 || adaptive->most_rays > 256)
+      throw InputError("most_rays needs 4 to 256, got " + std::to_string(adaptive->most_rays));
   }
   if (const auto& crop = options.crop) {
     const bool is_inside = crop->x >= 0 && crop->y >= 0 && crop->width > 0 && crop->height > 0 &&
@@ -127,10 +135,14 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   start = Clock::now();
   const Region region = options.crop.value_or(Region{0, 0, scene.width, scene.height});
   picture.image = texmap::make_float_image(region.width, region.height);
+  if (options.counts_rays) {
+    const auto each = static_cast<std::uint16_t>(options.supersampling * options.supersampling);
+    picture.eye_rays.assign(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height), each);
+  }
   const TreeBuilder builder(scene, plan, tracer);
   const TextureLookup textures(scene, plan, tracer, samplers, options.filter, options.footprint);
-  const Shader shader(scene, plan, tracer, textures);
-  const BandPainter painter(scene, plan, builder, shader, tiles, region, options.supersampling);
+  const Shader shader(scene, plan, textures);
+  const BandPainter painter(scene, plan, builder, shader, tiles, region, options);
   const int bands = (region.height + kBandRows - 1) / kBandRows;
   std::vector<BandCounts> counts(static_cast<std::size_t>(bands));
   std::mutex progress;
@@ -146,7 +158,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
     tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& range) {
       for (int band = range.begin(); band < range.end(); ++band) {
         counts[static_cast<std::size_t>(band)] =
-            painter.paint(picture.image, band * kBandRows, std::min(region.height, (band + 1) * kBandRows),
+            painter.paint(picture.image, picture.eye_rays, band * kBandRows, std::min(region.height, (band + 1) * kBandRows),
                           options.is_cancelled);
         const std::lock_guard lock(progress);
         ++done;
@@ -161,7 +173,9 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   for (const BandCounts& band : counts) total.add(band);
   statistics.eye_rays = total.rays.eye;
   statistics.reflected_rays = total.rays.reflected;
-  statistics.shadow_rays = total.shading.shadow_rays;
+  statistics.refined_pixels = total.refinement.pixels;
+  statistics.refining_rays = total.refinement.rays;
+  statistics.shadow_rays = total.rays.shadow;
   statistics.nodes = total.shading.nodes;
   statistics.filtered_nodes = total.shading.lookups.filtered;
   statistics.differential_nodes = total.shading.lookups.differentials;

@@ -14,7 +14,7 @@
 
 namespace sweepkit::render {
 
-glm::dvec3 Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, int y,
+glm::dvec3 Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, double side,
                          texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t root = rows[1]->root(x);
   if (root < 0) return glm::dvec3(scene_.background);
@@ -25,8 +25,22 @@ glm::dvec3 Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, 
       for (std::size_t c = 0; c < 3; ++c) nodes[r][c] = rows[r]->root(x + static_cast<int>(c) - 1);
     }
   }
-  const NodePath path{&rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, &eye_rays, x, y};
+  const glm::dvec2& place = rows[1]->places[static_cast<std::size_t>(x - rows[1]->first_pixel)];
+  const NodePath path{
+      &rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, {&eye_rays, place, side}};
   return node(rows, nodes, path, filter, counts);
+}
+
+glm::dvec3 Shader::sample(const TreeRow& row, const EyeRays& eye_rays, std::size_t index, double side,
+                          texmap::FilterThread& filter, ShadingCounts& counts) const {
+  const std::int32_t root = row.roots[index];
+  if (root < 0) return glm::dvec3(scene_.background);
+  Neighbourhood nodes;
+  for (auto& beside : nodes) beside.fill(kNotTraced);
+  nodes[1][1] = root;
+  const NodePath path{
+      &row.nodes[static_cast<std::size_t>(root)], nullptr, {&eye_rays, row.places[index], side, true}};
+  return node({&row, &row, &row}, nodes, path, filter, counts);
 }
 
 glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
@@ -47,13 +61,13 @@ glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const
       for (std::size_t c = 0; c < 3; ++c)
         children[r][c] = nodes[r][c] >= 0 ? rows[r]->reflection(nodes[r][c]) : kNotTraced;
     }
-    const NodePath longer{&rows[1]->nodes[static_cast<std::size_t>(child)], &path, path.eye_rays, path.x,
-                          path.y};
+    const NodePath longer{&rows[1]->nodes[static_cast<std::size_t>(child)], &path, path.eye};
     reflection = node(rows, children, longer, filter, counts);
   }
   ++counts.nodes;
+  if (shadows_ == Shadows::kSmooth) ++counts.smoothed;
   const glm::dvec3 color = textures_.diffuse(rows, nodes, path, material, filter, counts.lookups);
-  return local_light(scene_, tracer_, at, material, color, counts.shadow_rays) +
+  return local_light(scene_, shadows_, rows, nodes, material, color) +
          static_cast<double>(material.reflect) * reflection;
 }
 

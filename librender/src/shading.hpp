@@ -10,38 +10,39 @@
 #include "sweepkit/scene/scene.hpp"
 #include "sweepkit/texmap/texture_sampler.hpp"
 #include "texture_lookup.hpp"
-#include "tracer.hpp"
 
 namespace sweepkit::render {
 
 struct ShadingCounts {
-  std::uint64_t shadow_rays = 0;
   std::uint64_t nodes = 0;
+  std::uint64_t smoothed = 0;  ///< of them, lit by what their neighbours see of the lights as well
   LookupCounts lookups;
 };
 
 /// Shades a pixel's tree from its deepest node up (the paper's 3.2.2).
 class Shader {
  public:
-  Shader(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer,
-         const TextureLookup& textures)
+  Shader(const scene::Scene& scene, const scene::Plan& plan, const TextureLookup& textures)
       : scene_(scene),
-        tracer_(tracer),
         textures_(textures),
-        looks_round_(plan.needs_part(scene::Part::kFilteredNodes)) {}
+        shadows_(plan.needs_part(scene::Part::kShadowEdges) ? Shadows::kSmooth : Shadows::kHard),
+        looks_round_(plan.needs_part(scene::Part::kRows)) {}
 
-  /// Pixel (x, y), whose eye ray is one of `eye_rays`.
-  glm::dvec3 pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, int y, texmap::FilterThread& filter,
-                   ShadingCounts& counts) const;
+  /// Pixel x of the middle row, for a square of `side` pixels about the eye ray.
+  glm::dvec3 pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, double side,
+                   texmap::FilterThread& filter, ShadingCounts& counts) const;
+  /// A tree that has no neighbours: the one of row.places[index].
+  glm::dvec3 sample(const TreeRow& row, const EyeRays& eye_rays, std::size_t index, double side,
+                    texmap::FilterThread& filter, ShadingCounts& counts) const;
 
  private:
   glm::dvec3 node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
                   texmap::FilterThread& filter, ShadingCounts& counts) const;
 
   const scene::Scene& scene_;
-  const Tracer& tracer_;
   const TextureLookup& textures_;
-  bool looks_round_;  // are footprints made from neighbours?
+  Shadows shadows_;
+  bool looks_round_;  // does anything look at neighbours?
 };
 
 }  // namespace sweepkit::render

@@ -15,7 +15,7 @@
 namespace sweepkit::render {
 
 std::optional<glm::vec3> TextureLookup::filtered(const RowWindow& rows, const Neighbourhood& nodes,
-                                                 const texmap::TextureSampler& sampler,
+                                                 double side, const texmap::TextureSampler& sampler,
                                                  texmap::FilterThread& filter) const {
   const auto own = static_cast<std::size_t>(nodes[1][1]);
   const TreeNode& at = rows[1]->nodes[own];
@@ -41,8 +41,10 @@ std::optional<glm::vec3> TextureLookup::filtered(const RowWindow& rows, const Ne
       return sampler.over_box(texmap::neighbour_box(hit, around, period), filter);
   }
   const texmap::Beside beside{neighbour(1, 0), neighbour(1, 2), neighbour(0, 1), neighbour(2, 1)};
-  const std::optional<texmap::Footprint> footprint = texmap::footprint_from(hit, beside, period);
+  std::optional<texmap::Footprint> footprint = texmap::footprint_from(hit, beside, period);
   if (!footprint) return std::nullopt;
+  footprint->dx *= side;
+  footprint->dy *= side;
   return sampler.sample(*footprint, filter);
 }
 
@@ -57,6 +59,7 @@ glm::dvec3 TextureLookup::pattern_place(const TreeRow& row, std::size_t node, te
 
 std::optional<texmap::PatternFootprint> TextureLookup::pattern_footprint(const RowWindow& rows,
                                                                          const Neighbourhood& nodes,
+                                                                         double side,
                                                                          texmap::ProceduralOn on) const {
   const auto own = static_cast<std::size_t>(nodes[1][1]);
   const TreeNode& at = rows[1]->nodes[own];
@@ -87,11 +90,11 @@ std::optional<texmap::PatternFootprint> TextureLookup::pattern_footprint(const R
   const std::optional<glm::dvec3> dx = step(way_to(1, 0), way_to(1, 2));
   const std::optional<glm::dvec3> dy = step(way_to(0, 1), way_to(2, 1));
   if (!dx || !dy) return std::nullopt;
-  return texmap::PatternFootprint{here, *dx, *dy};
+  return texmap::PatternFootprint{here, side * *dx, side * *dy};
 }
 
 RayDifferential TextureLookup::differential(const NodePath& path) const {
-  if (path.from == nullptr) return path.eye_rays->differential(path.x, path.y);
+  if (path.from == nullptr) return path.eye.eye_rays->differential(path.eye.place, path.eye.side);
   const RayDifferential ray = differential(*path.from);
   const TreeNode& mirror = *path.from->node;
   return reflected(tracer_, mirror.hit, mirror.direction, ray,
@@ -108,16 +111,19 @@ glm::dvec3 TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& no
   const glm::dvec3 base(material.diffuse);
   if (!material.texture) return base;
   ++counts.textured;
+  // The paper's neighbours or nothing; but a ray without any has nothing else.
+  const bool uses_differentials =
+      has_differentials_ && (footprint_ != Footprint::kNeighbours || path.eye.is_alone);
   const auto own = static_cast<std::size_t>(nodes[1][1]);
   const glm::dvec2 uv = rows[1]->texcoords.empty() ? glm::dvec2(0.0) : rows[1]->texcoords[own];
   if (const std::optional<texmap::TextureSampler>& sampler = samplers_[*material.texture]) {
     if (looks_round_ && texmap::reads_footprint(filter_)) {
-      if (const std::optional<glm::vec3> color = filtered(rows, nodes, *sampler, filter)) {
+      if (const std::optional<glm::vec3> color = filtered(rows, nodes, path.eye.side, *sampler, filter)) {
         ++counts.filtered;
         return base * glm::dvec3(*color);
       }
     }
-    if (uses_differentials_ && texmap::reads_footprint(filter_)) {
+    if (uses_differentials && texmap::reads_footprint(filter_)) {
       ++counts.differentials;
       return base *
              glm::dvec3(sampler->sample(footprint_of(tracer_, path.node->hit, moved_hit(path), uv), filter));
@@ -127,13 +133,13 @@ glm::dvec3 TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& no
   }
   const auto& procedural = std::get<texmap::Procedural>(scene_.textures[*material.texture]);
   if (looks_round_) {
-    if (const auto footprint = pattern_footprint(rows, nodes, procedural.on)) {
+    if (const auto footprint = pattern_footprint(rows, nodes, path.eye.side, procedural.on)) {
       ++counts.filtered;
       return base * glm::dvec3(texmap::evaluate(procedural, *footprint));
     }
   }
   texmap::PatternFootprint footprint{pattern_place(*rows[1], own, procedural.on)};
-  if (uses_differentials_) {
+  if (uses_differentials) {
     ++counts.differentials;
     const HitDifferential moved = moved_hit(path);
     if (procedural.on == texmap::ProceduralOn::kUv) {

@@ -6,6 +6,7 @@
 #include "tracer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -110,6 +111,24 @@ Hit Tracer::nearest(const Ray& ray) const {
     return false;
   });
   return best;
+}
+
+void Tracer::nearest(std::span<const Ray> rays, std::span<Hit> hits) const {
+  if (has_global_grid_) {
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = nearest(rays[i]);
+    return;
+  }
+  std::fill(hits.begin(), hits.end(), Hit{});
+  std::array<Ray, kPacket> moved;
+  for (std::uint32_t index = 0; index < objects_.size(); ++index) {
+    const TracedObject& object = objects_[index];
+    if (object.accelerator == nullptr) continue;
+    for (std::size_t first = 0; first < rays.size(); first += kPacket) {
+      const std::size_t count = std::min(kPacket, rays.size() - first);
+      for (std::size_t i = 0; i < count; ++i) moved[i] = to_mesh_space(object, rays[first + i]);
+      object.accelerator->find_nearest(std::span<const Ray>(moved).first(count), index, hits.subspan(first, count));
+    }
+  }
 }
 
 bool Tracer::is_blocked(const Ray& ray, double end) const {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "mesh_accelerator.hpp"
@@ -14,6 +15,9 @@
 #include "voxel_grid.hpp"
 
 namespace sweepkit::render {
+
+/// Rays that are traced together: what a packet of a wide accelerator takes.
+inline constexpr std::size_t kPacket = 16;
 
 /// An object as rays see it: its mesh, what finds its triangles, and the way between the spaces.
 struct TracedObject {
@@ -31,6 +35,8 @@ class Tracer {
   Tracer(const scene::Scene& scene, bool has_global_grid, Accelerator accelerator);
 
   Hit nearest(const Ray& ray) const;
+  /// The same for rays of one origin, ray i into hits[i].
+  void nearest(std::span<const Ray> rays, std::span<Hit> hits) const;
   /// Is anything met at 0 < t < end?
   bool is_blocked(const Ray& ray, double end) const;
 

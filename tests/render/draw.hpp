@@ -16,6 +16,8 @@ inline scene::Plan plan_for(const scene::Document& document, const Options& opti
   return scene::plan(document, {.product = scene::Request::Product::kPicture,
                                 .filter = options.filter,
                                 .is_supersampled = options.supersampling > 1,
+                                .is_refined = options.adaptive.has_value(),
+                                .has_smooth_shadows = options.shadows == Shadows::kSmooth,
                                 .has_neighbours = options.footprint != Footprint::kDifferentials,
                                 .has_differentials = options.footprint != Footprint::kNeighbours});
 }

@@ -26,6 +26,20 @@ enum class Footprint {
           ///< a direction has none (silhouettes, thin things), by derivatives
 };
 
+/// How much of a light comes to a point.
+enum class Shadows {
+  kHard,    ///< all or nothing, by one shadow ray for a light without a radius
+  kSmooth,  ///< the same rays, averaged over the neighbouring pixels' on the same piece of surface
+};
+
+/// More eye rays for the pixels that differ from their neighbours: in object, path or normal, or by
+/// `contrast` in colour. 4 at first, then twice as many again and again, until another one would change the
+/// pixel less than that is worth. The pixel's filter is a box of one pixel.
+struct Adaptive {
+  double contrast = 0.02;  ///< of linear light, over 0, in any of R, G and B
+  int most_rays = 64;      ///< eye rays of a pixel besides its first, 4 to 256
+};
+
 /// How the triangles that a ray meets are found.
 enum class Accelerator {
   kSeads,   ///< the paper's grids (3.3)
@@ -48,6 +62,9 @@ struct Options {
   Filter filter = Filter::kAuto;
   Footprint footprint = Footprint::kAuto;
   int supersampling = 1;       ///< 1 to 64
+  std::optional<Adaptive> adaptive;     ///< only with a supersampling of 1
+  Shadows shadows = Shadows::kSmooth;
+  bool counts_rays = false;  ///< fill Picture::eye_rays
   std::optional<Region> crop;  ///< this part of the picture alone, the same bytes; inside it, not empty
   int threads = 0;             ///< 0: as many as the machine has
   Accelerator accelerator = Accelerator::kAuto;  ///< the picture is the same with any of them
@@ -61,6 +78,8 @@ struct Cancelled {};
 
 struct Statistics {
   std::uint64_t eye_rays = 0;
+  std::uint64_t refined_pixels = 0;  ///< with more than one eye ray, by Options::adaptive
+  std::uint64_t refining_rays = 0;   ///< of the eye rays, those more
   std::uint64_t reflected_rays = 0;
   std::uint64_t shadow_rays = 0;
   std::uint64_t nodes = 0;               ///< intersection-tree nodes shaded
@@ -79,6 +98,7 @@ struct Statistics {
 
 struct Picture {
   texmap::Image image;  ///< float RGB, linear light; of the crop where there is one
+  std::vector<std::uint16_t> eye_rays;  ///< of each pixel, row by row; empty unless Options::counts_rays
   Statistics statistics;
   scene::Ledger ledger;
 };

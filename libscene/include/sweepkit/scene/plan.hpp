@@ -29,7 +29,9 @@ enum class Part {
   kRows,           ///< the two neighbouring row buffers
   kTrees,          ///< nodes below the primary hit
   kShadows,        ///< shadow rays
+  kShadowEdges,    ///< what they find averaged over the neighbouring pixels
   kSupersampling,  ///< the larger picture that is shrunk
+  kRefinement,     ///< pixels compared with their neighbours and given more rays
   kGlobalGrid,     ///< the grid over the objects' boxes
 };
 inline constexpr std::size_t kPartCount = static_cast<std::size_t>(Part::kGlobalGrid) + 1;
@@ -59,6 +61,8 @@ struct Request {
   texmap::Filter filter = texmap::Filter::kPoint;
   std::size_t texture_memory = texmap::kDefaultTextureMemory;  ///< bytes that a picture's textures may fill
   bool is_supersampled = false;
+  bool is_refined = false;          ///< pixels that differ from their neighbours have more rays
+  bool has_smooth_shadows = false;  ///< shadow edges are averaged over the neighbours
   bool has_neighbours = true;     ///< footprints are made from the neighbouring pixels' hits
   bool has_differentials = true;  ///< where there are none, or at all, from the rays' derivatives
 };

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "intersection_tree.hpp"
+#include "row_buffers.hpp"
+#include "shading.hpp"
+#include "sweepkit/render/render.hpp"
+
+namespace sweepkit::render {
+
+struct RefinementCounts {
+  std::uint64_t pixels = 0;  ///< with more than one ray
+  std::uint64_t rays = 0;    ///< those more
+  std::size_t bytes = 0;
+};
+
+/// Finds the pixels of a band that need more rays, row by row as they come, and shades them by those.
+class RefinedRows {
+ public:
+  /// Of rows of `width` pixels from `first`. The pixels at either end are there to be compared with.
+  RefinedRows(const scene::Scene& scene, const TreeBuilder& builder, const Shader& shader,
+              const EyeRays& eye_rays, const Adaptive& options, int first, std::size_t width);
+
+  /// The next row: the middle one of `rows`, whose trees begin `border` pixels before `first`, and its
+  /// colours by one ray a pixel. It is compared in itself and with the row before.
+  void add(const RowBuffers& rows, int border, std::span<const glm::dvec3> colors);
+
+  /// Row y of the picture, the last but one that was added: now compared on all sides. Good until the next
+  /// one is added.
+  std::span<const glm::dvec3> finish(int y, texmap::FilterThread& filter, RayCounts& rays,
+                                     ShadingCounts& shading);
+  /// Of the pixels of that row, how many eye rays they had.
+  std::span<const std::uint16_t> eye_rays() const { return eye_ray_counts_; }
+
+  RefinementCounts counts() const;
+
+ private:
+  struct Row {
+    std::vector<glm::dvec3> colors;
+    std::vector<std::uint8_t> is_marked;
+  };
+  bool differ(const TreeRow& row_a, std::size_t a, const glm::dvec3& color_a, const TreeRow& row_b,
+              std::size_t b, const glm::dvec3& color_b) const;
+  glm::dvec3 refine(int x, int y, int& count, texmap::FilterThread& filter, RayCounts& rays,
+                    ShadingCounts& shading);
+
+  const scene::Scene& scene_;
+  const TreeBuilder& builder_;
+  const Shader& shader_;
+  const EyeRays& eye_rays_;
+  Adaptive options_;
+  int first_;
+  Row above_;
+  Row row_;
+  TreeRow samples_;  // of one pixel
+  std::vector<std::uint16_t> eye_ray_counts_;
+  RefinementCounts counts_;
+};
+
+}  // namespace sweepkit::render

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "tree_difference.hpp"
+
+#include "material_of.hpp"
+
+namespace sweepkit::render {
+namespace {
+
+constexpr double kLeastCosine = 0.9;
+
+// Normals are there where lights need them. Without a light they show in mirrors alone, and there by what is
+// mirrored.
+bool have_turned(const TreeRow& row_a, std::size_t a, const TreeRow& row_b, std::size_t b) {
+  if (row_a.visibility.points.empty()) return false;
+  return glm::dot(row_a.visibility.points[a].normal, row_b.visibility.points[b].normal) < kLeastCosine;
+}
+
+}  // namespace
+
+bool differ(const scene::Scene& scene, const TreeRow& row_a, std::size_t a, const TreeRow& row_b,
+            std::size_t b, double least) {
+  std::int32_t node_a = row_a.roots[a];
+  std::int32_t node_b = row_b.roots[b];
+  for (double share = 1; share > least;) {
+    if (node_a < 0 || node_b < 0) return node_a != node_b;
+    const auto i = static_cast<std::size_t>(node_a);
+    const auto j = static_cast<std::size_t>(node_b);
+    const TreeNode& at_a = row_a.nodes[i];
+    const TreeNode& at_b = row_b.nodes[j];
+    if (at_a.hit.object != at_b.hit.object || at_a.area != at_b.area || have_turned(row_a, i, row_b, j))
+      return true;
+    share *= static_cast<double>(material_of(scene, at_a.hit.object).reflect);
+    node_a = row_a.reflection(node_a);
+    node_b = row_b.reflection(node_b);
+  }
+  return false;
+}
+
+}  // namespace sweepkit::render
