@@ -65,6 +65,7 @@ BandCounts BandPainter::paint(texmap::Image& image, std::span<std::uint16_t> eye
                   region_.x - reach - border, region_.x + region_.width + reach + border);
   const auto width = static_cast<std::size_t>(region_.width + 2 * reach);
   std::vector<glm::dvec3> colors(width);
+  std::vector<TreeColor> trees(width);
   std::optional<Shrinker> shrinker;
   if (supersampling_ > 1) shrinker.emplace(supersampling_, image.width);
   std::optional<RefinedRows> refined;
@@ -77,9 +78,10 @@ BandCounts BandPainter::paint(texmap::Image& image, std::span<std::uint16_t> eye
     rows.shift_to(y, counts.rays);
     const Clock::time_point start = Clock::now();
     for (std::size_t i = 0; i < width; ++i) {
-      colors[i] = shader_.pixel(rows.window(), eye_rays_, region_.x - reach + static_cast<int>(i), 1, filter,
+      trees[i] = shader_.pixel(rows.window(), eye_rays_, region_.x - reach + static_cast<int>(i), filter,
                                 counts.shading);
     }
+    std::ranges::transform(trees, colors.begin(), &TreeColor::color);
     counts.shade_seconds += std::chrono::duration<double>(Clock::now() - start).count();
 
     const auto pixel = static_cast<std::size_t>((y - reach - region_.y) / supersampling_) *
@@ -94,7 +96,7 @@ BandCounts BandPainter::paint(texmap::Image& image, std::span<std::uint16_t> eye
     std::span<const glm::dvec3> finished = colors;
     if (refined) {
       // The row above has now been compared on all sides.
-      refined->add(rows, border, colors);
+      refined->add(rows, border, trees);
       if (y - 1 < first_y) continue;
       finished = refined->finish(y - 1, filter, counts.rays, counts.shading).subspan(1, width - 2);
     }

@@ -23,7 +23,7 @@ using Neighbourhood = std::array<std::array<std::int32_t, 3>, 3>;
 struct EyeSample {
   const EyeRays* eye_rays;
   glm::dvec2 place;
-  double side;
+  double side = 1;
   bool is_alone = false;  ///< without neighbours on a grid
 };
 

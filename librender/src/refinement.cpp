@@ -12,9 +12,8 @@
 namespace sweepkit::render {
 namespace {
 double env(const char* n, double d) { const char* v = getenv(n); return v ? atof(v) : d; }
-const double kSide = env("SIDE", 1), kPow = env("POW", 2.5), kGain = env("GAIN", 1);
+const double kSide = env("SIDE", 1), kPow = env("POW", 2.5), kGain = env("GAIN", .25), kPrior = env("PRIOR", 2);
 const int kFirst = static_cast<int>(env("FIRST", 4));
-const bool kStructure = env("STRUCT", 1) > 0;
 }  // namespace
 
 RefinedRows::RefinedRows(const scene::Scene& scene, const TreeBuilder& builder, const Shader& shader,
@@ -27,29 +26,34 @@ RefinedRows::RefinedRows(const scene::Scene& scene, const TreeBuilder& builder, 
       first_(first),
       eye_ray_counts_(width) {}
 
-bool RefinedRows::differ(const TreeRow& row_a, std::size_t a, const glm::dvec3& color_a,
-                         const TreeRow& row_b, std::size_t b, const glm::dvec3& color_b) const {
-  const glm::dvec3 contrast = glm::abs(color_a - color_b);
+void RefinedRows::compare(const TreeRow& trees_a, std::size_t a, Row& row_a, std::size_t i,
+                          const TreeRow& trees_b, std::size_t b, Row& row_b, std::size_t j) const {
+  const bool is_other = render::differ(scene_, trees_a, a, trees_b, b, options_.contrast);
+  const glm::dvec3 contrast = is_other ? glm::abs(row_a.colors[i] - row_b.colors[j]) : glm::abs(row_a.plain[i] - row_b.plain[j]);
+  const double variance = glm::dot(contrast, contrast) / 12;
+  row_a.variance[i] = std::max(row_a.variance[i], variance);
+  row_b.variance[j] = std::max(row_b.variance[j], variance);
   // Written so that what is no number differs.
-  if (!(std::max({contrast.r, contrast.g, contrast.b}) <= options_.contrast)) return true;
-  return kStructure && render::differ(scene_, row_a, a, row_b, b, options_.contrast);
+  if (is_other || !(std::max({contrast.r, contrast.g, contrast.b}) <= options_.contrast))
+    row_a.is_marked[i] = row_b.is_marked[j] = 1;
 }
 
-void RefinedRows::add(const RowBuffers& rows, int border, std::span<const glm::dvec3> colors) {
+void RefinedRows::add(const RowBuffers& rows, int border, std::span<const TreeColor> colors) {
   std::swap(above_, row_);
-  row_.colors.assign(colors.begin(), colors.end());
+  row_.colors.clear();
+  row_.plain.clear();
+  for (const TreeColor& tree : colors) {
+    row_.colors.push_back(tree.color);
+    row_.plain.push_back(tree.plain);
+  }
   row_.is_marked.assign(colors.size(), 0);
+  row_.variance.assign(colors.size(), 0);
   const TreeRow& trees = rows.middle();
   const auto skipped = static_cast<std::size_t>(border);
-  for (std::size_t i = 1; i < colors.size(); ++i) {
-    if (differ(trees, skipped + i - 1, colors[i - 1], trees, skipped + i, colors[i]))
-      row_.is_marked[i - 1] = row_.is_marked[i] = 1;
-  }
-  for (std::size_t i = 0; i < above_.colors.size(); ++i) {
-    if (above_.is_marked[i] != 0 && row_.is_marked[i] != 0) continue;
-    if (differ(rows.above(), skipped + i, above_.colors[i], trees, skipped + i, colors[i]))
-      above_.is_marked[i] = row_.is_marked[i] = 1;
-  }
+  for (std::size_t i = 1; i < colors.size(); ++i)
+    compare(trees, skipped + i - 1, row_, i - 1, trees, skipped + i, row_, i);
+  for (std::size_t i = 0; i < above_.colors.size(); ++i)
+    compare(rows.above(), skipped + i, above_, i, trees, skipped + i, row_, i);
 }
 
 std::span<const glm::dvec3> RefinedRows::finish(int y, texmap::FilterThread& filter, RayCounts& rays,
@@ -58,7 +62,7 @@ std::span<const glm::dvec3> RefinedRows::finish(int y, texmap::FilterThread& fil
   for (std::size_t i = 1; i + 1 < above_.colors.size(); ++i) {
     if (above_.is_marked[i] == 0) continue;
     int count = 0;
-    above_.colors[i] = refine(first_ + static_cast<int>(i), y, count, filter, rays, shading);
+    above_.colors[i] = refine(first_ + static_cast<int>(i), y, above_.variance[i], count, filter, rays, shading);
     eye_ray_counts_[i] = static_cast<std::uint16_t>(1 + count);
     ++counts_.pixels;
     counts_.rays += static_cast<std::uint64_t>(count);
@@ -66,7 +70,7 @@ std::span<const glm::dvec3> RefinedRows::finish(int y, texmap::FilterThread& fil
   return above_.colors;
 }
 
-glm::dvec3 RefinedRows::refine(int x, int y, int& count, texmap::FilterThread& filter, RayCounts& rays,
+glm::dvec3 RefinedRows::refine(int x, int y, double expected, int& count, texmap::FilterThread& filter, RayCounts& rays,
                                ShadingCounts& shading) {
   const std::span<const glm::dvec2> pattern = pixel_pattern();
   glm::dvec3 sum(0.0);
@@ -78,13 +82,13 @@ glm::dvec3 RefinedRows::refine(int x, int y, int& count, texmap::FilterThread& f
     builder_.build(samples_, eye_rays_, rays);
     const double side = kSide / std::sqrt(n);
     for (std::size_t i = 0; i < samples_.places.size(); ++i) {
-      const glm::dvec3 color = shader_.sample(samples_, eye_rays_, i, side, filter, shading);
+      const glm::dvec3 color = shader_.sample(samples_, eye_rays_, i, side, filter, shading).color;
       sum += color;
       squares += color * color;
     }
     count = n;
     const glm::dvec3 spread = squares - sum * sum / static_cast<double>(n);
-    const double variance = (spread.r + spread.g + spread.b) / (3.0 * (n - 1));
+    const double variance = ((spread.r + spread.g + spread.b) / 3.0 + kPrior * expected) / (n - 1 + kPrior);
     const double worth = 0.25 * options_.contrast * options_.contrast * kGain;
     if (2 * n > options_.most_rays || variance <= worth * std::pow(n, kPow)) return sum / static_cast<double>(n);
   }

@@ -29,7 +29,7 @@ class RefinedRows {
 
   /// The next row: the middle one of `rows`, whose trees begin `border` pixels before `first`, and its
   /// colours by one ray a pixel. It is compared in itself and with the row before.
-  void add(const RowBuffers& rows, int border, std::span<const glm::dvec3> colors);
+  void add(const RowBuffers& rows, int border, std::span<const TreeColor> colors);
 
   /// Row y of the picture, the last but one that was added: now compared on all sides. Good until the next
   /// one is added.
@@ -43,11 +43,12 @@ class RefinedRows {
  private:
   struct Row {
     std::vector<glm::dvec3> colors;
+    std::vector<glm::dvec3> plain;
     std::vector<std::uint8_t> is_marked;
+    std::vector<double> variance;  // that a pixel would have that is half its own, half its least like neighbour
   };
-  bool differ(const TreeRow& row_a, std::size_t a, const glm::dvec3& color_a, const TreeRow& row_b,
-              std::size_t b, const glm::dvec3& color_b) const;
-  glm::dvec3 refine(int x, int y, int& count, texmap::FilterThread& filter, RayCounts& rays,
+  void compare(const TreeRow& trees_a, std::size_t a, Row& row_a, std::size_t i, const TreeRow& trees_b, std::size_t b, Row& row_b, std::size_t j) const;
+  glm::dvec3 refine(int x, int y, double expected, int& count, texmap::FilterThread& filter, RayCounts& rays,
                     ShadingCounts& shading);
 
   const scene::Scene& scene_;

@@ -129,8 +129,10 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   statistics.build_seconds = seconds_since(start);
   count_accelerators(tracer, statistics);
 
+  // Adaptive antialiasing is by a box of one pixel, and so are its textures.
+  const Filter filter = options.adaptive && options.filter == Filter::kAuto ? Filter::kBox : options.filter;
   texmap::TileCache tiles(memory_for_tiles(scene, plan));
-  const Samplers samplers = make_samplers(scene, plan, options.filter, tiles);
+  const Samplers samplers = make_samplers(scene, plan, filter, tiles);
 
   start = Clock::now();
   const Region region = options.crop.value_or(Region{0, 0, scene.width, scene.height});
@@ -140,7 +142,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
     picture.eye_rays.assign(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height), each);
   }
   const TreeBuilder builder(scene, plan, tracer);
-  const TextureLookup textures(scene, plan, tracer, samplers, options.filter, options.footprint);
+  const TextureLookup textures(scene, plan, tracer, samplers, filter, options.footprint);
   const Shader shader(scene, plan, textures);
   const BandPainter painter(scene, plan, builder, shader, tiles, region, options);
   const int bands = (region.height + kBandRows - 1) / kBandRows;
@@ -184,7 +186,7 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   fill_ledger(picture.ledger, total, tracer);
   std::size_t sums = 0;
   for (const auto& sampler : samplers) sums += sampler ? sampler->table_bytes() : 0;
-  picture.ledger[texmap::reads_table(options.filter) ? scene::Part::kTables : scene::Part::kTiles] = {
+  picture.ledger[texmap::reads_table(filter) ? scene::Part::kTables : scene::Part::kTiles] = {
       tiles.counts().peak_bytes + sums, tiles.counts().made};
   return picture;
 }

@@ -14,10 +14,10 @@
 
 namespace sweepkit::render {
 
-glm::dvec3 Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, double side,
-                         texmap::FilterThread& filter, ShadingCounts& counts) const {
+TreeColor Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, texmap::FilterThread& filter,
+                        ShadingCounts& counts) const {
   const std::int32_t root = rows[1]->root(x);
-  if (root < 0) return glm::dvec3(scene_.background);
+  if (root < 0) return {glm::dvec3(scene_.background), glm::dvec3(scene_.background)};
   Neighbourhood nodes;
   nodes[1][1] = root;
   if (looks_round_) {
@@ -27,14 +27,14 @@ glm::dvec3 Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, 
   }
   const glm::dvec2& place = rows[1]->places[static_cast<std::size_t>(x - rows[1]->first_pixel)];
   const NodePath path{
-      &rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, {&eye_rays, place, side}};
+      &rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, {&eye_rays, place}};
   return node(rows, nodes, path, filter, counts);
 }
 
-glm::dvec3 Shader::sample(const TreeRow& row, const EyeRays& eye_rays, std::size_t index, double side,
+TreeColor Shader::sample(const TreeRow& row, const EyeRays& eye_rays, std::size_t index, double side,
                           texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t root = row.roots[index];
-  if (root < 0) return glm::dvec3(scene_.background);
+  if (root < 0) return {glm::dvec3(scene_.background), glm::dvec3(scene_.background)};
   Neighbourhood nodes;
   for (auto& beside : nodes) beside.fill(kNotTraced);
   nodes[1][1] = root;
@@ -43,17 +43,17 @@ glm::dvec3 Shader::sample(const TreeRow& row, const EyeRays& eye_rays, std::size
   return node({&row, &row, &row}, nodes, path, filter, counts);
 }
 
-glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+TreeColor Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
                         texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t index = nodes[1][1];
   const TreeNode& at = rows[1]->nodes[static_cast<std::size_t>(index)];
   const scene::Material& material = material_of(scene_, at.hit.object);
 
   // The deeper node first. At the deepest level nothing comes; from outside, the background.
-  glm::dvec3 reflection(0.0);
+  TreeColor reflection{glm::dvec3(0.0), glm::dvec3(0.0)};
   const std::int32_t child = rows[1]->reflection(index);
   if (child == kEscaped) {
-    reflection = glm::dvec3(scene_.background);
+    reflection.color = reflection.plain = glm::dvec3(scene_.background);
   } else if (child >= 0) {
     Neighbourhood children;
     children[1][1] = child;
@@ -66,9 +66,11 @@ glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const
   }
   ++counts.nodes;
   if (shadows_ == Shadows::kSmooth) ++counts.smoothed;
-  const glm::dvec3 color = textures_.diffuse(rows, nodes, path, material, filter, counts.lookups);
-  return local_light(scene_, shadows_, rows, nodes, material, color) +
-         static_cast<double>(material.reflect) * reflection;
+  const DiffuseColor diffuse = textures_.diffuse(rows, nodes, path, material, filter, counts.lookups);
+  const LocalLight light = local_light(scene_, shadows_, rows, nodes, material);
+  const auto share = static_cast<double>(material.reflect);
+  return {diffuse.color * light.on_diffuse + light.highlights + share * reflection.color,
+          diffuse.plain * light.on_diffuse + light.highlights + share * reflection.plain};
 }
 
 }  // namespace sweepkit::render

@@ -19,6 +19,13 @@ struct ShadingCounts {
   LookupCounts lookups;
 };
 
+/// A tree's colour, and the same with the textures that are averaged over the pixel left white
+/// (texture_lookup.hpp).
+struct TreeColor {
+  glm::dvec3 color;
+  glm::dvec3 plain;
+};
+
 /// Shades a pixel's tree from its deepest node up (the paper's 3.2.2).
 class Shader {
  public:
@@ -28,15 +35,15 @@ class Shader {
         shadows_(plan.needs_part(scene::Part::kShadowEdges) ? Shadows::kSmooth : Shadows::kHard),
         looks_round_(plan.needs_part(scene::Part::kRows)) {}
 
-  /// Pixel x of the middle row, for a square of `side` pixels about the eye ray.
-  glm::dvec3 pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, double side,
-                   texmap::FilterThread& filter, ShadingCounts& counts) const;
-  /// A tree that has no neighbours: the one of row.places[index].
-  glm::dvec3 sample(const TreeRow& row, const EyeRays& eye_rays, std::size_t index, double side,
+  /// Pixel x of the middle row.
+  TreeColor pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, texmap::FilterThread& filter,
+                  ShadingCounts& counts) const;
+  /// A tree that has no neighbours: the one of row.places[index], for a square of `side` pixels.
+  TreeColor sample(const TreeRow& row, const EyeRays& eye_rays, std::size_t index, double side,
                     texmap::FilterThread& filter, ShadingCounts& counts) const;
 
  private:
-  glm::dvec3 node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+  TreeColor node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
                   texmap::FilterThread& filter, ShadingCounts& counts) const;
 
   const scene::Scene& scene_;

@@ -105,11 +105,19 @@ HitDifferential TextureLookup::moved_hit(const NodePath& path) const {
   return at_hit(tracer_, path.node->hit, path.node->direction, differential(path));
 }
 
-glm::dvec3 TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+DiffuseColor TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
                                   const scene::Material& material, texmap::FilterThread& filter,
                                   LookupCounts& counts) const {
   const glm::dvec3 base(material.diffuse);
-  if (!material.texture) return base;
+  if (!material.texture) return {base, base};
+  const auto seen_by_filter = [&](const glm::vec3& texel) -> DiffuseColor {
+    const glm::dvec3 color = base * glm::dvec3(texel);
+    return {color, filter_ == texmap::Filter::kBox ? base : color};
+  };
+  const auto seen_at_a_point = [&](const glm::vec3& texel) -> DiffuseColor {
+    const glm::dvec3 color = base * glm::dvec3(texel);
+    return {color, color};
+  };
   ++counts.textured;
   // The paper's neighbours or nothing; but a ray without any has nothing else.
   const bool uses_differentials =
@@ -120,22 +128,22 @@ glm::dvec3 TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& no
     if (looks_round_ && texmap::reads_footprint(filter_)) {
       if (const std::optional<glm::vec3> color = filtered(rows, nodes, path.eye.side, *sampler, filter)) {
         ++counts.filtered;
-        return base * glm::dvec3(*color);
+        return seen_by_filter(*color);
       }
     }
     if (uses_differentials && texmap::reads_footprint(filter_)) {
       ++counts.differentials;
-      return base *
-             glm::dvec3(sampler->sample(footprint_of(tracer_, path.node->hit, moved_hit(path), uv), filter));
+      return seen_by_filter(
+          sampler->sample(footprint_of(tracer_, path.node->hit, moved_hit(path), uv), filter));
     }
     // Nothing tells how large the pixel is here: as large as a texel, then.
-    return base * glm::dvec3(sampler->sample({uv}, filter));
+    return seen_at_a_point(sampler->sample({uv}, filter));
   }
   const auto& procedural = std::get<texmap::Procedural>(scene_.textures[*material.texture]);
   if (looks_round_) {
     if (const auto footprint = pattern_footprint(rows, nodes, path.eye.side, procedural.on)) {
       ++counts.filtered;
-      return base * glm::dvec3(texmap::evaluate(procedural, *footprint));
+      return seen_at_a_point(texmap::evaluate(procedural, *footprint));
     }
   }
   texmap::PatternFootprint footprint{pattern_place(*rows[1], own, procedural.on)};
@@ -152,7 +160,7 @@ glm::dvec3 TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& no
       footprint.dy = to_mesh * moved.y;
     }
   }
-  return base * glm::dvec3(texmap::evaluate(procedural, footprint));
+  return seen_at_a_point(texmap::evaluate(procedural, footprint));
 }
 
 }  // namespace sweepkit::render

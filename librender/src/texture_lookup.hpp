@@ -28,6 +28,13 @@ struct LookupCounts {
   std::uint64_t differentials = 0;
 };
 
+/// A diffuse colour, and what it would be if the textures that are averaged over the pixel itself
+/// (Filter::kBox) were white: what is left then varies within a pixel in ways that no filter has seen.
+struct DiffuseColor {
+  glm::dvec3 color;
+  glm::dvec3 plain;
+};
+
 /// The diffuse colour of nodes: the material's, times its texture filtered over what the pixel covers.
 class TextureLookup {
  public:
@@ -42,7 +49,7 @@ class TextureLookup {
         has_differentials_(plan.needs_part(scene::Part::kDifferentials)) {}
 
   /// Of the node nodes[1][1], which `path` ends with.
-  glm::dvec3 diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+  DiffuseColor diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
                      const scene::Material& material, texmap::FilterThread& filter,
                      LookupCounts& counts) const;
 

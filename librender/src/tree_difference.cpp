@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "tree_difference.hpp"
 
+#include <cmath>
+
 #include "material_of.hpp"
 
 namespace sweepkit::render {
@@ -16,6 +18,20 @@ bool have_turned(const TreeRow& row_a, std::size_t a, const TreeRow& row_b, std:
   return glm::dot(row_a.visibility.points[a].normal, row_b.visibility.points[b].normal) < kLeastCosine;
 }
 
+bool see_other_lights(const Visibility& seen_a, std::size_t a, const Visibility& seen_b, std::size_t b,
+                      double least) {
+  if (seen_a.points.empty()) return false;
+  const std::size_t count = seen_a.shares.size() / seen_a.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const float share_a = seen_a.shares[a * count + i];
+    const float share_b = seen_b.shares[b * count + i];
+    // Where one is turned away the light only grazes the other.
+    if (share_a == kTurnedAway || share_b == kTurnedAway) continue;
+    if (std::abs(static_cast<double>(share_a) - static_cast<double>(share_b)) > least) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool differ(const scene::Scene& scene, const TreeRow& row_a, std::size_t a, const TreeRow& row_b,
@@ -28,7 +44,8 @@ bool differ(const scene::Scene& scene, const TreeRow& row_a, std::size_t a, cons
     const auto j = static_cast<std::size_t>(node_b);
     const TreeNode& at_a = row_a.nodes[i];
     const TreeNode& at_b = row_b.nodes[j];
-    if (at_a.hit.object != at_b.hit.object || at_a.area != at_b.area || have_turned(row_a, i, row_b, j))
+    if (at_a.hit.object != at_b.hit.object || at_a.area != at_b.area || have_turned(row_a, i, row_b, j) ||
+        see_other_lights(row_a.visibility, i, row_b.visibility, j, least / share))
       return true;
     share *= static_cast<double>(material_of(scene, at_a.hit.object).reflect);
     node_a = row_a.reflection(node_a);
