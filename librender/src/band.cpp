@@ -79,7 +79,7 @@ BandCounts BandPainter::paint(texmap::Image& image, std::span<std::uint16_t> eye
     const Clock::time_point start = Clock::now();
     for (std::size_t i = 0; i < width; ++i) {
       trees[i] = shader_.pixel(rows.window(), eye_rays_, region_.x - reach + static_cast<int>(i), filter,
-                                counts.shading);
+                               counts.shading);
     }
     std::ranges::transform(trees, colors.begin(), &TreeColor::color);
     counts.shade_seconds += std::chrono::duration<double>(Clock::now() - start).count();
@@ -104,7 +104,8 @@ BandCounts BandPainter::paint(texmap::Image& image, std::span<std::uint16_t> eye
       for (glm::length_t c = 0; c < 3; ++c) *out++ = static_cast<float>(color[c]);
     }
     if (!eye_rays.empty() && refined)
-      std::ranges::copy(refined->eye_rays().subspan(1, width - 2), eye_rays.begin() + static_cast<std::ptrdiff_t>(pixel));
+      std::ranges::copy(refined->eye_rays().subspan(1, width - 2),
+                        eye_rays.begin() + static_cast<std::ptrdiff_t>(pixel));
   }
   counts.row_bytes = has_neighbour_rows_ ? rows.rows()[0].bytes() + rows.rows()[2].bytes() : 0;
   for (const TreeRow& row : rows.rows()) {

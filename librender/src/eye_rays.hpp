@@ -13,7 +13,9 @@
 namespace sweepkit::render {
 
 /// The middle of pixel (x, y), as a place of the picture.
-inline glm::dvec2 middle_of(int x, int y) { return {x + 0.5, y + 0.5}; }
+inline glm::dvec2 middle_of(int x, int y) {
+  return {x + 0.5, y + 0.5};
+}
 
 /// The rays through the places of a picture width x height, in pixels from its top left corner, x to the
 /// right, y down; places outside it have rays too (the filter's border).
@@ -44,9 +46,7 @@ class EyeRays {
   RayDifferential differential(int x, int y) const { return differential(middle_of(x, y)); }
 
  private:
-  glm::dvec3 towards(const glm::dvec2& place) const {
-    return corner_ + place.x * across_ + place.y * down_;
-  }
+  glm::dvec3 towards(const glm::dvec2& place) const { return corner_ + place.x * across_ + place.y * down_; }
 
   glm::dvec3 eye_;
   glm::dvec3 corner_;

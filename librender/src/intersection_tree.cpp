@@ -75,7 +75,7 @@ void TreeBuilder::grow(TreeRow& row, std::int32_t root, std::uint64_t seed, RayC
     const SurfacePoint point = surface_point(tracer_, at.hit, at.direction);
     if (needs_shadows_) {
       counts.shadow += add_visibility(row.visibility, scene_, tracer_, at.hit, point,
-                                        seed + static_cast<std::uint64_t>(level));
+                                      seed + static_cast<std::uint64_t>(level));
     }
     if (!is_followed) return;
     const Ray ray = reflected(at.hit, point, at.direction);

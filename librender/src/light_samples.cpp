@@ -10,7 +10,9 @@
 namespace sweepkit::render {
 namespace {
 
-double fraction(double value) { return value - std::floor(value); }
+double fraction(double value) {
+  return value - std::floor(value);
+}
 
 // The bits of i behind the binary point, the lowest first.
 double radical_inverse(std::size_t i) {

@@ -8,15 +8,15 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 
 #include "position_hash.hpp"
+#include "sweepkit/render/render.hpp"
 
 namespace sweepkit::render {
 namespace {
 
 constexpr int kBits = 16;
-std::uint64_t kSeed = getenv("SEED") ? strtoull(getenv("SEED"),0,10) : 1;
+constexpr std::uint64_t kSeed = 1;
 
 std::uint32_t scrambled(std::uint32_t bits, std::uint64_t seed) {
   std::uint32_t result = bits;
@@ -31,9 +31,9 @@ std::uint32_t scrambled(std::uint32_t bits, std::uint64_t seed) {
 }  // namespace
 
 std::span<const glm::dvec2> pixel_pattern() {
-  static const std::array<glm::dvec2, kMostSamples> kPlaces = [] {
-    std::array<glm::dvec2, kMostSamples> places{};
-    for (std::uint32_t i = 0; i < kMostSamples; ++i) {
+  static const std::array<glm::dvec2, kMostRefiningRays> kPlaces = [] {
+    std::array<glm::dvec2, kMostRefiningRays> places{};
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
       // Column k of the generating matrices: a single bit for x; for y the rows of Pascal's triangle by 2.
       std::uint32_t x = 0;
       std::uint32_t y = 0;

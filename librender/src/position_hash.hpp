@@ -24,7 +24,8 @@ inline std::uint64_t seed_of(const glm::dvec2& place) {
 
 /// The upper half of a scattered number, and the lower one, as fractions in [0, 1).
 inline glm::dvec2 fractions_of(std::uint64_t scattered) {
-  return glm::dvec2(static_cast<double>(scattered >> 32), static_cast<double>(scattered & 0xffffffffu)) * 0x1p-32;
+  return glm::dvec2(static_cast<double>(scattered >> 32), static_cast<double>(scattered & 0xffffffffu)) *
+         0x1p-32;
 }
 
 }  // namespace sweepkit::render

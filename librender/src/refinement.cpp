@@ -1,19 +1,35 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
+//
+// Based on [Akdemir98, 3.2.2], which leaves it to the reader: "an adaptive supersampling, which is less
+// expensive, could be used". Textures are averaged over the whole pixel by one ray; what one ray cannot see
+// is where surfaces and shadows end, and there its neighbours differ from it. Such a pixel is drawn by n
+// rays, n = 4, 8, 16, ..., at the places of pixel_pattern(). Their mean has a squared error of about v /
+// n^(3/2) where an edge crosses the pixel, v the variance of the colours, so that one ray more lowers it by
+// about v / n^(5/2): rays are given until that is less than (contrast / 12)^2, the same in every pixel, which
+// is how a number of rays is best shared out among pixels.
+//
+// Four rays may all miss what made the pixel differ. So v is estimated with kPriorRays rays added that have
+// the variance of a pixel half its own and half its least like neighbour: without them a third of the whole
+// error sat in one pixel of a thousand (docs/equal_error.md).
+
 #include "refinement.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "pixel_pattern.hpp"
 #include "tree_difference.hpp"
 
 namespace sweepkit::render {
 namespace {
-double env(const char* n, double d) { const char* v = getenv(n); return v ? atof(v) : d; }
-const double kSide = env("SIDE", 1), kPow = env("POW", 2.5), kGain = env("GAIN", .25), kPrior = env("PRIOR", 2);
-const int kFirst = static_cast<int>(env("FIRST", 4));
+
+constexpr int kFirstRays = 4;
+constexpr double kPriorRays = 2;
+// A ray's texture is averaged over a square, and the rays' places are spread over the pixel already. Squares
+// of half the pixel's area, shared out, blur least and still leave no gap.
+constexpr double kShareOfArea = 0.5;
+
 }  // namespace
 
 RefinedRows::RefinedRows(const scene::Scene& scene, const TreeBuilder& builder, const Shader& shader,
@@ -28,9 +44,10 @@ RefinedRows::RefinedRows(const scene::Scene& scene, const TreeBuilder& builder, 
 
 void RefinedRows::compare(const TreeRow& trees_a, std::size_t a, Row& row_a, std::size_t i,
                           const TreeRow& trees_b, std::size_t b, Row& row_b, std::size_t j) const {
-  const bool is_other = render::differ(scene_, trees_a, a, trees_b, b, options_.contrast);
-  const glm::dvec3 contrast = is_other ? glm::abs(row_a.colors[i] - row_b.colors[j]) : glm::abs(row_a.plain[i] - row_b.plain[j]);
-  const double variance = glm::dot(contrast, contrast) / 12;
+  const bool is_other = differ(scene_, trees_a, a, trees_b, b, options_.contrast);
+  const glm::dvec3 contrast =
+      glm::abs(is_other ? row_a.colors[i] - row_b.colors[j] : row_a.plain[i] - row_b.plain[j]);
+  const double variance = glm::dot(contrast, contrast) / 12;  // a quarter of the square, the mean of RGB
   row_a.variance[i] = std::max(row_a.variance[i], variance);
   row_b.variance[j] = std::max(row_b.variance[j], variance);
   // Written so that what is no number differs.
@@ -62,7 +79,8 @@ std::span<const glm::dvec3> RefinedRows::finish(int y, texmap::FilterThread& fil
   for (std::size_t i = 1; i + 1 < above_.colors.size(); ++i) {
     if (above_.is_marked[i] == 0) continue;
     int count = 0;
-    above_.colors[i] = refine(first_ + static_cast<int>(i), y, above_.variance[i], count, filter, rays, shading);
+    above_.colors[i] =
+        refine(first_ + static_cast<int>(i), y, above_.variance[i], count, filter, rays, shading);
     eye_ray_counts_[i] = static_cast<std::uint16_t>(1 + count);
     ++counts_.pixels;
     counts_.rays += static_cast<std::uint64_t>(count);
@@ -70,17 +88,17 @@ std::span<const glm::dvec3> RefinedRows::finish(int y, texmap::FilterThread& fil
   return above_.colors;
 }
 
-glm::dvec3 RefinedRows::refine(int x, int y, double expected, int& count, texmap::FilterThread& filter, RayCounts& rays,
-                               ShadingCounts& shading) {
+glm::dvec3 RefinedRows::refine(int x, int y, double expected, int& count, texmap::FilterThread& filter,
+                               RayCounts& rays, ShadingCounts& shading) {
   const std::span<const glm::dvec2> pattern = pixel_pattern();
   glm::dvec3 sum(0.0);
   glm::dvec3 squares(0.0);
-  for (int n = kFirst;; n *= 2) {
+  for (int n = kFirstRays;; n *= 2) {
     samples_.places.clear();
     for (int i = count; i < n; ++i)
       samples_.places.push_back(glm::dvec2(x, y) + pattern[static_cast<std::size_t>(i)]);
     builder_.build(samples_, eye_rays_, rays);
-    const double side = kSide / std::sqrt(n);
+    const double side = std::sqrt(kShareOfArea / n);
     for (std::size_t i = 0; i < samples_.places.size(); ++i) {
       const glm::dvec3 color = shader_.sample(samples_, eye_rays_, i, side, filter, shading).color;
       sum += color;
@@ -88,9 +106,12 @@ glm::dvec3 RefinedRows::refine(int x, int y, double expected, int& count, texmap
     }
     count = n;
     const glm::dvec3 spread = squares - sum * sum / static_cast<double>(n);
-    const double variance = ((spread.r + spread.g + spread.b) / 3.0 + kPrior * expected) / (n - 1 + kPrior);
-    const double worth = 0.25 * options_.contrast * options_.contrast * kGain;
-    if (2 * n > options_.most_rays || variance <= worth * std::pow(n, kPow)) return sum / static_cast<double>(n);
+    const double variance =
+        ((spread.r + spread.g + spread.b) / 3 + kPriorRays * expected) / (n - 1 + kPriorRays);
+    const double worth = options_.contrast * options_.contrast / 144;
+    // Written so that what is no number ends it.
+    if (2 * n > options_.most_rays || !(variance > worth * n * n * std::sqrt(n)))
+      return sum / static_cast<double>(n);
   }
 }
 

@@ -43,11 +43,14 @@ class RefinedRows {
  private:
   struct Row {
     std::vector<glm::dvec3> colors;
-    std::vector<glm::dvec3> plain;
+    std::vector<glm::dvec3> plain;  // TreeColor::plain
     std::vector<std::uint8_t> is_marked;
-    std::vector<double> variance;  // that a pixel would have that is half its own, half its least like neighbour
+    std::vector<double> variance;  // of a pixel half its own and half its least like neighbour
   };
-  void compare(const TreeRow& trees_a, std::size_t a, Row& row_a, std::size_t i, const TreeRow& trees_b, std::size_t b, Row& row_b, std::size_t j) const;
+  // Pixel i of a row, whose tree is `a` of its trees, and j of one, beside it.
+  void compare(const TreeRow& trees_a, std::size_t a, Row& row_a, std::size_t i, const TreeRow& trees_b,
+               std::size_t b, Row& row_b, std::size_t j) const;
+  // `expected`: the variance of the above.
   glm::dvec3 refine(int x, int y, double expected, int& count, texmap::FilterThread& filter, RayCounts& rays,
                     ShadingCounts& shading);
 

@@ -100,9 +100,13 @@ void check(const scene::Scene& scene, const Options& options) {
     throw InputError("threads needs 0 (all) to 4096, got " + std::to_string(options.threads));
   }
   if (const auto& adaptive = options.adaptive) {
-    if (options.supersampling != 1) throw InputError("adaptive antialiasing needs a supersampling of 1, got " + std::to_string(options.supersampling));
-    if (!(adaptive->contrast > 0)) throw InputError("the contrast needs to be over 0, got " + std::to_string(adaptive->contrast));
-    if (adaptive->most_rays < 4 || adaptive->most_rays > 256)
+    if (options.supersampling != 1) {
+      throw InputError("adaptive antialiasing needs a supersampling of 1, got " +
+                       std::to_string(options.supersampling));
+    }
+    if (!(adaptive->contrast > 0))
+      throw InputError("contrast needs a number over 0, got " + std::to_string(adaptive->contrast));
+    if (adaptive->most_rays < kFewestRefiningRays || adaptive->most_rays > kMostRefiningRays)
       throw InputError("most_rays needs 4 to 256, got " + std::to_string(adaptive->most_rays));
   }
   if (const auto& crop = options.crop) {
@@ -139,7 +143,8 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
   picture.image = texmap::make_float_image(region.width, region.height);
   if (options.counts_rays) {
     const auto each = static_cast<std::uint16_t>(options.supersampling * options.supersampling);
-    picture.eye_rays.assign(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height), each);
+    picture.eye_rays.assign(static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height),
+                            each);
   }
   const TreeBuilder builder(scene, plan, tracer);
   const TextureLookup textures(scene, plan, tracer, samplers, filter, options.footprint);
@@ -160,8 +165,8 @@ Picture render(const scene::Scene& scene, const scene::Plan& plan, const Options
     tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& range) {
       for (int band = range.begin(); band < range.end(); ++band) {
         counts[static_cast<std::size_t>(band)] =
-            painter.paint(picture.image, picture.eye_rays, band * kBandRows, std::min(region.height, (band + 1) * kBandRows),
-                          options.is_cancelled);
+            painter.paint(picture.image, picture.eye_rays, band * kBandRows,
+                          std::min(region.height, (band + 1) * kBandRows), options.is_cancelled);
         const std::lock_guard lock(progress);
         ++done;
         if (options.on_progress) options.on_progress(static_cast<double>(done) / bands);

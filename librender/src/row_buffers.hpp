@@ -11,8 +11,8 @@ namespace sweepkit::render {
 
 /// The rows of trees that the work on one row looks at.
 enum class KeptRows {
-  kOwn,      ///< that row alone
-  kAbove,    ///< and the one above, to compare it with
+  kOwn,       ///< that row alone
+  kAbove,     ///< and the one above, to compare it with
   kBothSides  ///< and the ones above and below (the filter's border)
 };
 
@@ -26,7 +26,10 @@ class RowBuffers {
   /// Makes row y the middle one. The first time any row, then one after the other.
   void shift_to(int y, RayCounts& counts);
 
-  RowWindow window() const { return {&rows_[kept_ == KeptRows::kBothSides ? 0 : 1], &rows_[1], &rows_[kept_ == KeptRows::kBothSides ? 2 : 1]}; }
+  RowWindow window() const {
+    return {&rows_[kept_ == KeptRows::kBothSides ? 0 : 1], &rows_[1],
+            &rows_[kept_ == KeptRows::kBothSides ? 2 : 1]};
+  }
   const TreeRow& middle() const { return rows_[1]; }
   const TreeRow& above() const { return rows_[0]; }  ///< not with kOwn, and not the first time with kAbove
 

@@ -26,13 +26,12 @@ TreeColor Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, t
     }
   }
   const glm::dvec2& place = rows[1]->places[static_cast<std::size_t>(x - rows[1]->first_pixel)];
-  const NodePath path{
-      &rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, {&eye_rays, place}};
+  const NodePath path{&rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, {&eye_rays, place}};
   return node(rows, nodes, path, filter, counts);
 }
 
 TreeColor Shader::sample(const TreeRow& row, const EyeRays& eye_rays, std::size_t index, double side,
-                          texmap::FilterThread& filter, ShadingCounts& counts) const {
+                         texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t root = row.roots[index];
   if (root < 0) return {glm::dvec3(scene_.background), glm::dvec3(scene_.background)};
   Neighbourhood nodes;
@@ -44,7 +43,7 @@ TreeColor Shader::sample(const TreeRow& row, const EyeRays& eye_rays, std::size_
 }
 
 TreeColor Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
-                        texmap::FilterThread& filter, ShadingCounts& counts) const {
+                       texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t index = nodes[1][1];
   const TreeNode& at = rows[1]->nodes[static_cast<std::size_t>(index)];
   const scene::Material& material = material_of(scene_, at.hit.object);

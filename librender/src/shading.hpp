@@ -40,11 +40,11 @@ class Shader {
                   ShadingCounts& counts) const;
   /// A tree that has no neighbours: the one of row.places[index], for a square of `side` pixels.
   TreeColor sample(const TreeRow& row, const EyeRays& eye_rays, std::size_t index, double side,
-                    texmap::FilterThread& filter, ShadingCounts& counts) const;
+                   texmap::FilterThread& filter, ShadingCounts& counts) const;
 
  private:
   TreeColor node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
-                  texmap::FilterThread& filter, ShadingCounts& counts) const;
+                 texmap::FilterThread& filter, ShadingCounts& counts) const;
 
   const scene::Scene& scene_;
   const TextureLookup& textures_;

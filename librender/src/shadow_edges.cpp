@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// Based on [Akdemir98, 5]: "This method can also be improved for producing smooth shadow edges." The rows hold
-// what each node's one shadow ray a light found, and a node averages it over its neighbours on the same path,
-// as it does textures.
+// Based on [Akdemir98, 5]: "This method can also be improved for producing smooth shadow edges." The rows
+// hold what each node's one shadow ray a light found, and a node averages it over its neighbours on the same
+// path, as it does textures.
 //
 // The weights are the products of (1/8, 3/4, 1/8) with itself. Take a straight edge along a column of pixels,
 // between the middle of one in the light and one in the shadow, e of a pixel from the first (0 to 1, any as
 // likely). Over a box of one pixel the first has min(e + 1/2, 1) of the light, the second max(e - 1/2, 0). A
-// weight w at the sides gives 1 - w and w: squared errors of 1/48 + (1/4 - w)^2 + w^2 for the two, on average.
-// That is 1/12 for w = 0, which is no smoothing, and for w = 1/4, the weights of the paper's supersampling;
-// and least, 5/96, for w = 1/8.
+// weight w at the sides gives 1 - w and w: squared errors of 1/48 + (1/4 - w)^2 + w^2 for the two, on
+// average. That is 1/12 for w = 0, which is no smoothing, and for w = 1/4, the weights of the paper's
+// supersampling; and least, 5/96, for w = 1/8.
 
 #include "shadow_edges.hpp"
 
@@ -47,7 +47,8 @@ glm::dvec3 smooth_share(const RowWindow& rows, const Neighbourhood& nodes, std::
       if (!other) continue;
       const Visibility& visibility = rows[r]->visibility;
       const glm::dvec3 there = share(visibility, *other, light);
-      if (there.x == kTurnedAway || glm::dot(visibility.points[*other].normal, normal) < kLeastCosine) continue;
+      if (there.x == kTurnedAway || glm::dot(visibility.points[*other].normal, normal) < kLeastCosine)
+        continue;
       const double weight = kWeights[r] * kWeights[c];
       weights += weight;
       sum += weight * (there - own);

@@ -106,8 +106,8 @@ HitDifferential TextureLookup::moved_hit(const NodePath& path) const {
 }
 
 DiffuseColor TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
-                                  const scene::Material& material, texmap::FilterThread& filter,
-                                  LookupCounts& counts) const {
+                                    const scene::Material& material, texmap::FilterThread& filter,
+                                    LookupCounts& counts) const {
   const glm::dvec3 base(material.diffuse);
   if (!material.texture) return {base, base};
   const auto seen_by_filter = [&](const glm::vec3& texel) -> DiffuseColor {

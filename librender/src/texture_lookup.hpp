@@ -50,8 +50,8 @@ class TextureLookup {
 
   /// Of the node nodes[1][1], which `path` ends with.
   DiffuseColor diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
-                     const scene::Material& material, texmap::FilterThread& filter,
-                     LookupCounts& counts) const;
+                       const scene::Material& material, texmap::FilterThread& filter,
+                       LookupCounts& counts) const;
 
  private:
   // Of the ray that the path ends with. No further ray is traced.

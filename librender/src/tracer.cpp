@@ -126,7 +126,8 @@ void Tracer::nearest(std::span<const Ray> rays, std::span<Hit> hits) const {
     for (std::size_t first = 0; first < rays.size(); first += kPacket) {
       const std::size_t count = std::min(kPacket, rays.size() - first);
       for (std::size_t i = 0; i < count; ++i) moved[i] = to_mesh_space(object, rays[first + i]);
-      object.accelerator->find_nearest(std::span<const Ray>(moved).first(count), index, hits.subspan(first, count));
+      object.accelerator->find_nearest(std::span<const Ray>(moved).first(count), index,
+                                       hits.subspan(first, count));
     }
   }
 }

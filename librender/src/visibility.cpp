@@ -49,7 +49,7 @@ std::size_t Visibility::bytes() const {
 }
 
 std::uint64_t add_visibility(Visibility& visibility, const scene::Scene& scene, const Tracer& tracer,
-                       const Hit& hit, const SurfacePoint& point, std::uint64_t seed) {
+                             const Hit& hit, const SurfacePoint& point, std::uint64_t seed) {
   const glm::dvec3 start = smooth_start(tracer, hit, point);
   visibility.points.push_back({start, point.shading_normal});
   std::uint64_t rays = 0;

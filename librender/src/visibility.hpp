@@ -42,6 +42,6 @@ inline constexpr float kTurnedAway = -1;
 /// Traces the shadow rays of a node and appends what they find; one ray a light, kLightSamples to one that
 /// has a radius and shows as a disc, `seed` turning them. Returns the number of rays.
 std::uint64_t add_visibility(Visibility& visibility, const scene::Scene& scene, const Tracer& tracer,
-                       const Hit& hit, const SurfacePoint& point, std::uint64_t seed);
+                             const Hit& hit, const SurfacePoint& point, std::uint64_t seed);
 
 }  // namespace sweepkit::render

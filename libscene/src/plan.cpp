@@ -49,10 +49,10 @@ Usage usage_of(const Document& document) {
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",         "(u,v) layouts", "textures",       "baked textures",    "integral tables",
-      "texture tiles",      "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers",
-      "intersection trees", "shadow rays",   "shadow edges",   "supersampling",     "refinement",
-      "grid over objects"};
+      "half-edges",        "(u,v) layouts", "textures",           "baked textures",
+      "integral tables",   "texture tiles", "(u,v) at hits",      "filtered nodes",
+      "ray differentials", "row buffers",   "intersection trees", "shadow rays",
+      "shadow edges",      "supersampling", "refinement",         "grid over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 

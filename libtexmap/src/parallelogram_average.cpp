@@ -5,12 +5,13 @@
 // lies under it: along either step the overlap of two intervals, the parallelogram's and the texel's shadow
 // on that step. Their product is the texel's share to the bit where the parallelogram lies along the
 // texture's axes, and close to it elsewhere where texels are smaller than the pixel. It is read from the
-// coarsest level at which the parallelogram is still kLeastWidth texels across; where it is narrower than that
-// along one axis of the finest one, the texels are cut into parts along that axis.
+// coarsest level at which the parallelogram is still kLeastWidth texels across; where it is narrower than
+// that along one axis of the finest one, the texels are cut into parts along that axis.
 //
-// Symbols, in texels of a level, rows downwards: e and f the steps of a pixel to the right and down, det = e.x
-// f.y - e.y f.x; a texel at d from the middle is s = (d.x f.y - d.y f.x) / det pixels to the right and t =
-// (d.y e.x - d.x e.y) / det down, and as wide as (|f.x| + |f.y|) / |det| and (|e.x| + |e.y|) / |det| pixels.
+// Symbols, in texels of a level, rows downwards: e and f the steps of a pixel to the right and down, det =
+// e.x f.y - e.y f.x; a texel at d from the middle is s = (d.x f.y - d.y f.x) / det pixels to the right and t
+// = (d.y e.x - d.x e.y) / det down, and as wide as (|f.x| + |f.y|) / |det| and (|e.x| + |e.y|) / |det|
+// pixels.
 
 #include "parallelogram_average.hpp"
 
@@ -52,7 +53,8 @@ struct Shape {
 };
 
 Overlap overlap_for(double texel, double step) {
-  return {static_cast<float>(0.5 * (1 + texel)), static_cast<float>(std::min(1.0, texel)), static_cast<float>(step)};
+  return {static_cast<float>(0.5 * (1 + texel)), static_cast<float>(std::min(1.0, texel)),
+          static_cast<float>(step)};
 }
 
 // Texels first..last of a row, the left one `s` and `t` away.
@@ -153,8 +155,8 @@ Float4 weighed_sum(const Pyramid& pyramid, int level, Wrap wrap, const Shape& sh
         const Texel* row = tile + (rows.offset + k * rows.step) * kTileSide;
         if constexpr (std::is_same_v<Texel, IntegerTexel>) {
           if (columns.step == 1 && first == span.first && last == span.last) {
-            add_fours(row, columns.offset + first - columns.first, last - first + 1, shape, span.s, span.t, sum,
-                      odd);
+            add_fours(row, columns.offset + first - columns.first, last - first + 1, shape, span.s, span.t,
+                      sum, odd);
             continue;
           }
         }
@@ -168,7 +170,9 @@ Float4 weighed_sum(const Pyramid& pyramid, int level, Wrap wrap, const Shape& sh
   return sum + odd;
 }
 
-int floor_of_quotient(int n, int by) { return n >= 0 ? n / by : -((by - 1 - n) / by); }
+int floor_of_quotient(int n, int by) {
+  return n >= 0 ? n / by : -((by - 1 - n) / by);
+}
 
 // Of the finest level, its texels cut into `parts` along either axis; all lengths in such parts.
 template <class Texel>

@@ -72,7 +72,7 @@ std::string name_of(const testing::TestParamInfo<std::vector<std::string>>& info
   std::string name = info.param.front();
   for (const std::string& argument : info.param) {
     if (argument.compare(0, 4, "out.") == 0) name += "_" + argument.substr(4);
-    if (argument == "3x3" || argument == "point") name += "_" + argument;
+    if (argument == "3x3" || argument == "adaptive" || argument == "point") name += "_" + argument;
   }
   return name;
 }
@@ -84,6 +84,7 @@ const std::vector<std::vector<std::string>> kPictures = {
     {"render", "scene.json", "-o", "out.exr"},
     {"render", "scene.json", "-o", "out.exr", "--filter", "point"},
     {"render", "scene.json", "-o", "out.exr", "--antialias", "3x3"},
+    {"render", "scene.json", "-o", "out.exr", "--antialias", "adaptive"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Pictures, SamePicture, testing::ValuesIn(kPictures), name_of);

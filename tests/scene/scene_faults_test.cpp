@@ -107,7 +107,7 @@ TEST(SceneFaults, UnknownKeysAreRefusedByNameAtTheKeyItself) {
 
 TEST(SceneFaults, KeysThatComeLaterAreNotTakenSilently) {
   for (const char* line :
-       {"\"lights\": [{\"point\": [0, 0, 0], \"radius\": 1}]", "\"materials\": {\"m\": {\"transmit\": 0.5}}",
+       {"\"lights\": [{\"point\": [0, 0, 0], \"size\": 1}]", "\"materials\": {\"m\": {\"transmit\": 0.5}}",
         "\"materials\": {\"m\": {\"ior\": 1.5}}", "\"materials\": {\"m\": {\"normal_map\": \"x\"}}"}) {
     EXPECT_NE(fault_of(with_line(line)).find("unknown key"), std::string::npos) << line;
   }
@@ -165,6 +165,10 @@ TEST(SceneFaults, LightAndSurroundings) {
       {with_line("\"lights\": [{}]"), at + "14: /lights/0: needs \"point\" or \"directional\""},
       {with_line("\"lights\": [{\"point\": [0, 0, 0], \"directional\": [0, 0, 1]}]"),
        at + "50: /lights/0/directional: a light is \"point\" or \"directional\", not both"},
+      {with_line("\"lights\": [{\"directional\": [0, 0, 1], \"radius\": 1}]"),
+       at + "52: /lights/0/radius: only a \"point\" light has a radius"},
+      {with_line("\"lights\": [{\"point\": [0, 0, 0], \"radius\": -1}]"),
+       at + "46: /lights/0/radius: needs a number from 0 m to 1e+09 m, got -1"},
       {with_line("\"lights\": [{\"directional\": [0, 0, 0]}]"),
        at + "30: /lights/0/directional: needs a direction that is not zero"},
   });

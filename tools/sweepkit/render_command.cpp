@@ -30,6 +30,8 @@ struct Render {
   std::string filter{texmap::filter_name(render::Options{}.filter)};
   std::string footprint = "auto";
   std::string antialias = "off";
+  std::string shadows = "smooth";
+  render::Adaptive adaptive;
   std::string statistics;  // a file
   std::size_t texture_megabytes = texmap::kDefaultTextureMemory >> 20;
   int depth = -1;  // the scene's
@@ -70,6 +72,8 @@ scene::Document read_document(const Render& command) {
 Report statistics_report(const render::Statistics& statistics, const scene::Plan& plan,
                          const scene::Ledger& ledger) {
   return {{{"eye_rays", statistics.eye_rays},
+           {"refined_pixels", statistics.refined_pixels},
+           {"refining_rays", statistics.refining_rays},
            {"reflected_rays", statistics.reflected_rays},
            {"shadow_rays", statistics.shadow_rays},
            {"nodes", statistics.nodes},
@@ -97,12 +101,16 @@ void draw(Render& command) {
                               : command.footprint == "differentials" ? render::Footprint::kDifferentials
                                                                      : render::Footprint::kAuto;
   command.options.supersampling = command.antialias == "3x3" ? 3 : 1;
+  if (command.antialias == "adaptive") command.options.adaptive = command.adaptive;
+  command.options.shadows = command.shadows == "hard" ? render::Shadows::kHard : render::Shadows::kSmooth;
 
   const scene::Document document = read_document(command);
   const scene::Plan plan = scene::plan(document, {.product = scene::Request::Product::kPicture,
                                                   .filter = command.options.filter,
                                                   .texture_memory = command.texture_megabytes << 20,
                                                   .is_supersampled = command.options.supersampling > 1,
+                                                  .is_refined = command.options.adaptive.has_value(),
+                                                  .has_smooth_shadows = command.shadows == "smooth",
                                                   .has_neighbours = command.footprint != "differentials",
                                                   .has_differentials = command.footprint != "neighbours"});
   if (output.file.empty()) {
@@ -147,7 +155,7 @@ void add_render(CLI::App& app) {
                  "How image textures are looked up; ewa is the elliptical average; auto is bilinear where a "
                  "texture is magnified and elsewhere ewa, from coarser copies the longer the footprint; "
                  "integral-1, -2 and -3 average one, two or three boxes convolved, by tables of sums: the "
-                 "paper's way")
+                 "paper's way; box is the mean under the pixel itself")
       ->capture_default_str()
       ->check(
           CLI::IsMember(std::vector<std::string>(texmap::kFilterNames.begin(), texmap::kFilterNames.end())));
@@ -159,9 +167,29 @@ void add_render(CLI::App& app) {
          "as all that they cover")
       ->capture_default_str()
       ->check(CLI::IsMember({"neighbours", "differentials", "auto"}));
-  sub.add_option("--antialias", command->antialias, "3x3: nine eye rays a pixel, weighted")
+  sub.add_option(
+         "--antialias", command->antialias,
+         "3x3: nine eye rays a pixel, weighted; adaptive: more rays only where a pixel differs from its "
+         "neighbours, averaged over the pixel, its textures too (--filter auto then is box)")
       ->capture_default_str()
-      ->check(CLI::IsMember({"off", "3x3"}));
+      ->check(CLI::IsMember({"off", "3x3", "adaptive"}));
+  sub.add_option(
+         "--antialias-contrast", command->adaptive.contrast,
+         "For adaptive: the difference from a neighbour, in linear light from 0 to 1, that asks for more "
+         "rays; it also says when they are enough")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1.0));
+  sub.add_option("--antialias-rays", command->adaptive.most_rays,
+                 "For adaptive: the most rays more in a pixel")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(CLI::Range(render::kFewestRefiningRays, render::kMostRefiningRays));
+  sub.add_option(
+         "--shadows", command->shadows,
+         "What a light without a radius throws: hard edges, or smooth ones, by averaging its shadow rays "
+         "over the neighbouring pixels")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"hard", "smooth"}));
   sub.add_option("--depth", command->depth, "Levels of reflection, instead of the scene's")
       ->type_name("N")
       ->check(CLI::Range(0, kDeepest));
@@ -183,7 +211,7 @@ void add_render(CLI::App& app) {
   add_quiet(sub, command->output);
   sub.footer(
       "Examples:\n"
-      "  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png --antialias 3x3\n"
+      "  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png --antialias adaptive\n"
       "  sweepkit render --contour star:5,0.3,0.18 --trajectory line:0,0,0,0,1.5,0 --twist 120 -o "
       "column.png");
   sub.callback([command] { draw(*command); });

@@ -32,12 +32,20 @@ enum class Shadows {
   kSmooth,  ///< the same rays, averaged over the neighbouring pixels' on the same piece of surface
 };
 
-/// More eye rays for the pixels that differ from their neighbours: in object, path or normal, or by
-/// `contrast` in colour. 4 at first, then twice as many again and again, until another one would change the
-/// pixel less than that is worth. The pixel's filter is a box of one pixel.
+inline constexpr int kFewestRefiningRays = 4;
+inline constexpr int kMostRefiningRays = 256;
+
+/// More eye rays for the pixels that differ from a neighbour beside, above or below: in object, path, piece
+/// of surface, normal (26 degrees) or in what they see of a light, or by more than `contrast` in colour. Such
+/// a pixel is drawn by 4 rays, then by twice as many again and again, until another ray would lower its
+/// squared error by less than about (contrast / 12)^2. Its filter is a box of one pixel, and so is that of
+/// textures with Filter::kAuto, which then stands for kBox; those need no more rays and their contrast does
+/// not count.
+///
+/// What one ray a pixel misses altogether, a wire thinner than a pixel, is found only where it is hit.
 struct Adaptive {
-  double contrast = 0.02;  ///< of linear light, over 0, in any of R, G and B
-  int most_rays = 64;      ///< eye rays of a pixel besides its first, 4 to 256
+  double contrast = 0.03;  ///< in R, G or B, linear light; over 0
+  int most_rays = 64;      ///< in a pixel, besides its first; 4 to 256, counted down to a power of two
 };
 
 /// How the triangles that a ray meets are found.
@@ -55,16 +63,16 @@ struct Region {
   int height = 0;
 };
 
-/// One eye ray a pixel; or a picture n times as large each way, shrunk. 3 takes the paper's weights (1/4 in
-/// the middle, 1/8 at the sides, 1/16 at the corners), any other n equal ones: 16 makes a reference under a
-/// box of one pixel.
+/// One eye ray a pixel, and more where they are asked for; or a picture n times as large each way, shrunk. 3
+/// takes the paper's weights (1/4 in the middle, 1/8 at the sides, 1/16 at the corners), any other n equal
+/// ones: 16 makes a reference under a box of one pixel.
 struct Options {
   Filter filter = Filter::kAuto;
   Footprint footprint = Footprint::kAuto;
-  int supersampling = 1;       ///< 1 to 64
-  std::optional<Adaptive> adaptive;     ///< only with a supersampling of 1
+  int supersampling = 1;             ///< 1 to 64
+  std::optional<Adaptive> adaptive;  ///< only with a supersampling of 1
   Shadows shadows = Shadows::kSmooth;
-  bool counts_rays = false;  ///< fill Picture::eye_rays
+  bool counts_rays = false;    ///< fill Picture::eye_rays
   std::optional<Region> crop;  ///< this part of the picture alone, the same bytes; inside it, not empty
   int threads = 0;             ///< 0: as many as the machine has
   Accelerator accelerator = Accelerator::kAuto;  ///< the picture is the same with any of them
@@ -97,7 +105,7 @@ struct Statistics {
 };
 
 struct Picture {
-  texmap::Image image;  ///< float RGB, linear light; of the crop where there is one
+  texmap::Image image;                  ///< float RGB, linear light; of the crop where there is one
   std::vector<std::uint16_t> eye_rays;  ///< of each pixel, row by row; empty unless Options::counts_rays
   Statistics statistics;
   scene::Ledger ledger;

@@ -63,8 +63,8 @@ struct Request {
   bool is_supersampled = false;
   bool is_refined = false;          ///< pixels that differ from their neighbours have more rays
   bool has_smooth_shadows = false;  ///< shadow edges are averaged over the neighbours
-  bool has_neighbours = true;     ///< footprints are made from the neighbouring pixels' hits
-  bool has_differentials = true;  ///< where there are none, or at all, from the rays' derivatives
+  bool has_neighbours = true;       ///< footprints are made from the neighbouring pixels' hits
+  bool has_differentials = true;    ///< where there are none, or at all, from the rays' derivatives
 };
 
 Plan plan(const Document& document, const Request& request);
