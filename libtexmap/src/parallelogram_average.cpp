@@ -27,7 +27,8 @@ namespace {
 constexpr double kLeastWidth = 2;
 constexpr double kLongest = 128;  // along an axis, in texels of the level
 constexpr double kMostTextures = 4;
-constexpr double kMostParts = 64;
+constexpr double kNarrowest = 1.0 / 256;  // in texels: beyond that the weights lose their digits
+constexpr double kMostParts = 512;        // which such a one needs, at most
 
 // How much of a texel lies between the pixel's two edges along one step: at a distance of `at` pixels.
 struct Overlap {
@@ -225,7 +226,7 @@ std::optional<glm::vec3> parallelogram_average(const Pyramid& pyramid, Wrap wrap
   const glm::dvec2 extent = glm::abs(e) + glm::abs(f);
   const glm::dvec2 textures = extent / size;
   // Written so that what is no number fails.
-  if (!(longer >= 1 && width > 0 && std::max(textures.x, textures.y) <= kMostTextures &&
+  if (!(longer >= 1 && width >= kNarrowest && std::max(textures.x, textures.y) <= kMostTextures &&
         std::isfinite(footprint.uv.x + footprint.uv.y)))
     return std::nullopt;
   const glm::dvec2 middle = near_origin(glm::dvec2(footprint.uv.x, 1 - footprint.uv.y), wrap) * size;
@@ -251,6 +252,7 @@ std::optional<glm::vec3> parallelogram_average(const Pyramid& pyramid, Wrap wrap
               ? weighed_sum<FloatTexel>(pyramid, level, wrap, shape, middle * scale, scratch)
               : weighed_sum<IntegerTexel>(pyramid, level, wrap, shape, middle * scale, scratch);
   }
+  if (!(sum[3] > 0)) return std::nullopt;
   return glm::vec3(sum[0], sum[1], sum[2]) / sum[3];
 }
 
