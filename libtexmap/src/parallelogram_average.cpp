@@ -92,6 +92,8 @@ RowSpan span_of(const Shape& shape, const glm::dvec2& middle, int y) {
   double high = -dx + half;
   narrow(s, sx, static_cast<double>(shape.across.reach), low, high);
   narrow(t, tx, static_cast<double>(shape.down.reach), low, high);
+  // Where nothing is left the ends may be farther off than integers reach.
+  if (!(low <= high)) return {0, -1, 0, 0};
   const int first = static_cast<int>(std::ceil(low));
   const int last = static_cast<int>(std::floor(high));
   return {first, last, s + first * sx, t + first * tx};

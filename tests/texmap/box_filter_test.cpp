@@ -113,6 +113,19 @@ TEST(BoxFilter, CutsTexelsThatAreWiderThanThePixel) {
   }
 }
 
+TEST(BoxFilter, TakesStepsThatRoundingHasTurnedFromTheAxes) {
+  // Off the axes by some 1e-15 of a texel: rows beside the pixel are then as far as 1e15 texels from it.
+  const auto image = std::make_shared<const Image>(test::random_image(64, 64, 6));
+  for (const double off : {0.0, 1e-16, -1e-16, 1e-18, -1e-18}) {
+    for (const double width : {0.46, 2.08}) {
+      const Footprint f{{0.96, 0.745}, {width / 64, off}, {0.05 / 64, 2.1 / 64}};
+      const Footprint straight{f.uv, {width / 64, 0}, f.dy};
+      EXPECT_NEAR(look_up(image, Wrap::kRepeat, Filter::kBox, f).r,
+                  look_up(image, Wrap::kRepeat, Filter::kBox, straight).r, 1e-5);
+    }
+  }
+}
+
 TEST(BoxFilter, IsBilinearWhereTheTextureIsMagnified) {
   const auto image = std::make_shared<const Image>(test::random_image(16, 16, 4));
   const Footprint f{{0.3, 0.6}, {0.02, 0.01}, {-0.01, 0.02}};
