@@ -152,7 +152,7 @@ Light read_light(const Node& node) {
   if (radius && !point) radius->fail("only a \"point\" light has a radius");
   if (point) {
     return PointLight{point->vector<3>(kCoordinate), intensity,
-                      radius ? radius->number({.low = 0, .high = kExtent.high}) : 0};
+                      radius ? radius->number({.low = 0, .high = kExtent.high, .unit = kExtent.unit}) : 0};
   }
   if (!directional) node.fail("needs \"point\" or \"directional\"");
   const glm::dvec3 direction = directional->vector<3>(kCoordinate);

@@ -166,9 +166,9 @@ TEST(SceneFaults, LightAndSurroundings) {
       {with_line("\"lights\": [{\"point\": [0, 0, 0], \"directional\": [0, 0, 1]}]"),
        at + "50: /lights/0/directional: a light is \"point\" or \"directional\", not both"},
       {with_line("\"lights\": [{\"directional\": [0, 0, 1], \"radius\": 1}]"),
-       at + "52: /lights/0/radius: only a \"point\" light has a radius"},
+       at + "51: /lights/0/radius: only a \"point\" light has a radius"},
       {with_line("\"lights\": [{\"point\": [0, 0, 0], \"radius\": -1}]"),
-       at + "46: /lights/0/radius: needs a number from 0 m to 1e+09 m, got -1"},
+       at + "45: /lights/0/radius: needs to be at least 0 and at most 1e+09 m, got -1"},
       {with_line("\"lights\": [{\"directional\": [0, 0, 0]}]"),
        at + "30: /lights/0/directional: needs a direction that is not zero"},
   });
