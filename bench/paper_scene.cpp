@@ -41,6 +41,7 @@ scene::Plan plan_for(const scene::Document& document, const render::Options& opt
   return scene::plan(document, {.product = scene::Request::Product::kPicture,
                                 .filter = options.filter,
                                 .is_supersampled = options.supersampling > 1,
+                                .has_smooth_shadows = options.shadows == render::Shadows::kSmooth,
                                 .has_differentials = options.footprint != render::Footprint::kNeighbours});
 }
 

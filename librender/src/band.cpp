@@ -5,8 +5,10 @@
 #include <time.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
+#include <span>
+
+#include "row_buffers.hpp"
 
 namespace sweepkit::render {
 namespace {
@@ -24,14 +26,18 @@ void BandCounts::add(const BandCounts& other) {
   rays.eye += other.rays.eye;
   rays.reflected += other.rays.reflected;
   rays.refracted += other.rays.refracted;
+  rays.shadow += other.rays.shadow;
   rays.texcoords += other.rays.texcoords;
   rays.shares += other.rays.shares;
-  shading.shadow_rays += other.shading.shadow_rays;
+  shading.smoothed += other.shading.smoothed;
   shading.nodes += other.shading.nodes;
   shading.environment_lookups += other.shading.environment_lookups;
   shading.lookups.textured += other.shading.lookups.textured;
   shading.lookups.filtered += other.shading.lookups.filtered;
   shading.lookups.differentials += other.shading.lookups.differentials;
+  refinement.pixels += other.refinement.pixels;
+  refinement.rays += other.refinement.rays;
+  refinement.bytes = std::max(refinement.bytes, other.refinement.bytes);
   layer_rays += other.layer_rays;
   shade_seconds += other.shade_seconds;
   row_bytes = std::max(row_bytes, other.row_bytes);
@@ -39,13 +45,16 @@ void BandCounts::add(const BandCounts& other) {
   refraction_bytes = std::max(refraction_bytes, other.refraction_bytes);
   share_bytes = std::max(share_bytes, other.share_bytes);
   texcoord_bytes = std::max(texcoord_bytes, other.texcoord_bytes);
+  visibility_bytes = std::max(visibility_bytes, other.visibility_bytes);
   shrink_bytes = std::max(shrink_bytes, other.shrink_bytes);
 }
 
-BandPainter::BandPainter(const scene::Plan& plan, const EyeRays& eye_rays, const TreeBuilder& builder,
-                         const Shader& shader, const LayerPainter& layers, texmap::TileCache& tiles,
-                         const Region& region, int supersampling)
-    : builder_(builder),
+BandPainter::BandPainter(const scene::Scene& scene, const scene::Plan& plan, const EyeRays& eye_rays,
+                         const TreeBuilder& builder, const Shader& shader, const LayerPainter& layers,
+                         texmap::TileCache& tiles, const Region& region, int supersampling,
+                         const std::optional<Adaptive>& adaptive)
+    : scene_(scene),
+      builder_(builder),
       shader_(shader),
       layers_(layers),
       tiles_(tiles),
@@ -53,78 +62,84 @@ BandPainter::BandPainter(const scene::Plan& plan, const EyeRays& eye_rays, const
       region_{region.x * supersampling, region.y * supersampling, region.width * supersampling,
               region.height * supersampling},
       supersampling_(supersampling),
+      adaptive_(adaptive),
       has_neighbour_rows_(plan.needs_part(scene::Part::kRows)) {}
 
 BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
                               const std::atomic<bool>* is_cancelled) const {
   BandCounts counts;
   texmap::FilterThread filter(tiles_);
-  std::array<TreeRow, 3> rows;
-  const auto trace = [&](TreeRow& row, int y) {
-    const int border = has_neighbour_rows_ ? 1 : 0;
-    builder_.build(row, eye_rays_, y, region_.x - border, region_.x + region_.width + border, counts.rays);
-  };
-  const int large_first = region_.y + first * supersampling_;
-  const int large_end = region_.y + end * supersampling_;
-  if (has_neighbour_rows_) {
-    trace(rows[1], large_first - 1);
-    trace(rows[2], large_first);
-  }
-  const bool has_alpha = image.channels == 4;
-  std::vector<glm::dvec4> colors(static_cast<std::size_t>(region_.width));  // and coverage
+  // What is shaded beyond the band to compare its pixels with, and what is traced beyond that.
+  const int reach = adaptive_ ? 1 : 0;
+  const int border = has_neighbour_rows_ ? 1 : 0;
+  RowBuffers rows(builder_, eye_rays_,
+                  has_neighbour_rows_ ? KeptRows::kBothSides
+                  : adaptive_         ? KeptRows::kAbove
+                                      : KeptRows::kOwn,
+                  region_.x - reach - border, region_.x + region_.width + reach + border);
+  const auto width = static_cast<std::size_t>(region_.width + 2 * reach);
+  std::vector<glm::dvec4> colors(width);  // and coverage
+  std::vector<TreeColor> trees(width);
   // How many eye rays each pixel's colour takes.
-  std::vector<std::uint32_t> rays(layers_.is_needed() ? static_cast<std::size_t>(image.width) : 0,
-                                  static_cast<std::uint32_t>(supersampling_ * supersampling_));
+  std::vector<std::uint32_t> eye_ray_counts(layers_.is_needed() ? static_cast<std::size_t>(image.width) : 0,
+                                            static_cast<std::uint32_t>(supersampling_ * supersampling_));
   std::optional<Shrinker> shrinker;
   if (supersampling_ > 1) shrinker.emplace(supersampling_, image.width);
-  auto& texels = std::get<std::vector<float>>(image.texels);
+  std::optional<RefinedRows> refined;
+  if (adaptive_) refined.emplace(scene_, builder_, shader_, eye_rays_, *adaptive_, region_.x - reach, width);
 
-  for (int y = large_first; y < large_end; ++y) {
+  const int first_y = region_.y + first * supersampling_;
+  const int end_y = region_.y + end * supersampling_;
+  for (int y = first_y - reach; y < end_y + reach; ++y) {
     if (is_cancelled != nullptr && *is_cancelled) return counts;
-    RowWindow window = {&rows[0], &rows[0], &rows[0]};
-    if (has_neighbour_rows_) {
-      // Row 2 takes the place of row 1, row 3 that of row 2, and row 3 is traced anew.
-      std::rotate(rows.begin(), rows.begin() + 1, rows.end());
-      trace(rows[2], y + 1);
-      window = {&rows[0], &rows[1], &rows[2]};
-    } else {
-      trace(rows[0], y);
-    }
+    rows.shift_to(y, counts.rays);
     const double start = thread_seconds();
-    for (int x = 0; x < region_.width; ++x) {
-      const bool is_left_out = has_alpha && window[1]->root(region_.x + x) < 0;
-      colors[static_cast<std::size_t>(x)] =
-          is_left_out
-              ? glm::dvec4(0.0)
-              : glm::dvec4(shader_.pixel(window, eye_rays_, region_.x + x, y, filter, counts.shading), 1);
+    for (std::size_t i = 0; i < width; ++i) {
+      trees[i] = shader_.pixel(rows.window(), eye_rays_, region_.x - reach + static_cast<int>(i), filter,
+                               counts.shading);
     }
+    std::ranges::transform(trees, colors.begin(), &TreeColor::color);
     counts.shade_seconds += thread_seconds() - start;
 
-    const int row = (y - region_.y) / supersampling_;
-    const int k = (y - region_.y) % supersampling_;
-    float* out = texels.data() + static_cast<std::size_t>(image.channels) * static_cast<std::size_t>(row) *
-                                     static_cast<std::size_t>(image.width);
-    if (!shrinker) {
-      for (const glm::dvec4& color : colors) {
+    // What is finished now: this row, the one above it, or part of a pixel's.
+    const int row = (y - reach - region_.y) / supersampling_;
+    float* out = std::get<std::vector<float>>(image.texels).data() +
+                 static_cast<std::ptrdiff_t>(image.channels) * row * image.width;
+    if (shrinker) {
+      const int k = (y - region_.y) % supersampling_;
+      shrinker->add(k, colors);
+      if (k < supersampling_ - 1) continue;
+      shrinker->take(out, image.channels);
+    } else {
+      std::span<const glm::dvec4> finished = colors;
+      if (refined) {
+        // The row above has now been compared on all sides.
+        refined->add(rows, border, trees);
+        if (y - 1 < first_y) continue;
+        finished = refined->finish(y - 1, filter, counts.rays, counts.shading).subspan(1, width - 2);
+        if (layers_.is_needed())
+          std::ranges::copy(refined->eye_rays().subspan(1, width - 2), eye_ray_counts.begin());
+      }
+      for (const glm::dvec4& color : finished) {
         for (glm::length_t c = 0; c < image.channels; ++c) *out++ = static_cast<float>(color[c]);
       }
-    } else {
-      shrinker->add(k, colors);
-      if (k == supersampling_ - 1) shrinker->take(out, image.channels);
     }
-    if (layers_.is_needed() && k == supersampling_ - 1) {
-      counts.layer_rays += layers_.fill(row, region_.x / supersampling_, y / supersampling_,
-                                        shrinker ? nullptr : window[1], rays);
+    if (layers_.is_needed()) {
+      const TreeRow* middles = shrinker ? nullptr : refined ? &rows.above() : &rows.middle();
+      counts.layer_rays += layers_.fill(row, region_.x / supersampling_, region_.y / supersampling_ + row,
+                                        middles, eye_ray_counts);
     }
   }
-  if (has_neighbour_rows_) counts.row_bytes = rows[0].bytes() + rows[2].bytes();
-  for (const TreeRow& row : rows) {
+  counts.row_bytes = has_neighbour_rows_ ? rows.rows()[0].bytes() + rows.rows()[2].bytes() : 0;
+  for (const TreeRow& row : rows.rows()) {
     counts.reflection_bytes += row.reflections.capacity() * sizeof(row.reflections[0]);
     counts.refraction_bytes += row.refractions.capacity() * sizeof(row.refractions[0]);
     counts.share_bytes += row.shares.capacity() * sizeof(row.shares[0]);
     counts.texcoord_bytes += row.texcoords.capacity() * sizeof(glm::dvec2);
+    counts.visibility_bytes += row.visibility.bytes();
   }
   if (shrinker) counts.shrink_bytes = shrinker->bytes();
+  if (refined) counts.refinement = refined->counts();
   return counts;
 }
 

@@ -12,9 +12,14 @@
 
 namespace sweepkit::render {
 
-/// One ray through the middle of each pixel of a picture width x height; pixels outside it have rays too (the
-/// filter's border). x to the right, y down. A width that is no whole number is that of a coarser picture
-/// whose last column is cut.
+/// The middle of pixel (x, y), as a place of the picture.
+inline glm::dvec2 middle_of(int x, int y) {
+  return {x + 0.5, y + 0.5};
+}
+
+/// The rays through the places of a picture width x height, in pixels from its top left corner, x to the
+/// right, y down; places outside it have rays too (the filter's border). A width that is no whole
+/// number is that of a coarser picture whose last column is cut.
 class EyeRays {
  public:
   EyeRays(const scene::Camera& camera, double width, double height) : eye_(camera.eye) {
@@ -29,21 +34,24 @@ class EyeRays {
   /// Where the camera looks, unit.
   const glm::dvec3& view_axis() const { return axis_; }
 
-  Ray through(int x, int y) const { return {eye_, glm::normalize(towards(x, y))}; }
+  Ray through(const glm::dvec2& place) const { return {eye_, glm::normalize(towards(place))}; }
+  Ray through(int x, int y) const { return through(middle_of(x, y)); }
 
-  RayDifferential differential(int x, int y) const {
-    const glm::dvec3 to = towards(x, y);
+  /// For steps of `step` pixels.
+  RayDifferential differential(const glm::dvec2& place, double step = 1) const {
+    const glm::dvec3 to = towards(place);
     const double length = glm::length(to);
     const glm::dvec3 direction = to / length;
     // Of a vector made unit.
-    const auto turned = [&](const glm::dvec3& step) {
-      return (step - glm::dot(direction, step) * direction) / length;
+    const auto turned = [&](const glm::dvec3& moved) {
+      return (moved - glm::dot(direction, moved) * direction) / length;
     };
-    return {.direction_x = turned(across_), .direction_y = turned(down_)};
+    return {.direction_x = turned(step * across_), .direction_y = turned(step * down_)};
   }
+  RayDifferential differential(int x, int y) const { return differential(middle_of(x, y)); }
 
  private:
-  glm::dvec3 towards(int x, int y) const { return corner_ + (x + 0.5) * across_ + (y + 0.5) * down_; }
+  glm::dvec3 towards(const glm::dvec2& place) const { return corner_ + place.x * across_ + place.y * down_; }
 
   glm::dvec3 eye_;
   glm::dvec3 axis_;

@@ -3,8 +3,12 @@
 #include "intersection_tree.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "material_of.hpp"
+#include "object_tree.hpp"
+#include "position_hash.hpp"
 #include "surface_point.hpp"
 #include "sweepkit/texmap/area_ratio_mapping.hpp"
 #include "sweepkit/texmap/right_triangle.hpp"
@@ -25,7 +29,8 @@ Shares merged(const Shares& shares, double weight) {
 std::size_t TreeRow::bytes() const {
   return roots.capacity() * sizeof(roots[0]) + nodes.capacity() * sizeof(nodes[0]) +
          texcoords.capacity() * sizeof(texcoords[0]) + reflections.capacity() * sizeof(reflections[0]) +
-         refractions.capacity() * sizeof(refractions[0]) + shares.capacity() * sizeof(shares[0]);
+         refractions.capacity() * sizeof(refractions[0]) + shares.capacity() * sizeof(shares[0]) +
+         places.capacity() * sizeof(places[0]) + visibility.bytes();
 }
 
 TreeBuilder::TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer)
@@ -34,7 +39,8 @@ TreeBuilder::TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, con
       needs_texcoords_(plan.needs_part(scene::Part::kTexcoords)),
       needs_trees_(plan.needs_part(scene::Part::kTrees)),
       needs_refractions_(plan.needs_part(scene::Part::kRefractions)),
-      needs_shares_(plan.needs_part(scene::Part::kShares)) {}
+      needs_shares_(plan.needs_part(scene::Part::kShares)),
+      needs_shadows_(plan.needs_part(scene::Part::kShadows)) {}
 
 std::uint32_t TreeBuilder::area_of(const Hit& hit) const {
   const std::span<const sweep::Area> areas = tracer_.object(hit.object).mesh->areas;
@@ -73,13 +79,23 @@ std::int32_t TreeBuilder::add_node(TreeRow& row, const Hit& hit, const Ray& ray,
   return static_cast<std::int32_t>(row.nodes.size()) - 1;
 }
 
-void TreeBuilder::add_children(TreeRow& row, const Pending& parent, std::vector<Pending>& pending,
-                               RayCounts& counts) const {
+void TreeBuilder::visit(TreeRow& row, std::int32_t node, int level, double weight, std::uint64_t seed,
+                        std::vector<Pending>& pending, RayCounts& counts) const {
+  const TreeNode& at = row.nodes[static_cast<std::size_t>(node)];
+  const bool is_followed =
+      needs_trees_ && level < scene_.depth && scatters(material_of(scene_, at.hit.object));
+  if (!is_followed && !needs_shadows_) return;
+  const SurfacePoint point = surface_point(tracer_, at.hit, at.direction);
+  if (needs_shadows_) counts.shadow += add_visibility(row.visibility, scene_, tracer_, at.hit, point, seed);
+  if (is_followed) pending.push_back({node, level, weight, point});
+}
+
+void TreeBuilder::add_children(TreeRow& row, const Pending& parent, std::uint64_t seed,
+                               std::vector<Pending>& pending, RayCounts& counts) const {
   const auto index = static_cast<std::size_t>(parent.node);
   const TreeNode node = row.nodes[index];
+  const SurfacePoint& point = parent.point;
   const scene::Material& material = material_of(scene_, node.hit.object);
-  if (!scatters(material)) return;
-  const SurfacePoint point = surface_point(tracer_, node.hit, node.direction);
   const glm::dvec3 normal = bent_normal(point, node.direction);
   Shares shares{material.reflect, 0};
   if (needs_shares_) {
@@ -91,7 +107,9 @@ void TreeBuilder::add_children(TreeRow& row, const Pending& parent, std::vector<
     const Hit hit = tracer_.nearest(ray);
     if (!hit.is_hit()) return kEscaped;
     const std::int32_t child = add_node(row, hit, ray, medium, counts);
-    pending.push_back({child, parent.level + 1, parent.weight * share});
+    // Another number for each node of the tree.
+    const std::uint64_t own_seed = seed + static_cast<std::uint64_t>(child);
+    visit(row, child, parent.level + 1, parent.weight * share, own_seed, pending, counts);
     return child;
   };
   if (shares.refracted > 0) {
@@ -110,28 +128,47 @@ void TreeBuilder::add_children(TreeRow& row, const Pending& parent, std::vector<
   }
 }
 
+void TreeBuilder::grow(TreeRow& row, std::int32_t root, std::uint64_t seed, std::vector<Pending>& pending,
+                       RayCounts& counts) const {
+  if (root < 0) return;
+  visit(row, root, 0, 1, seed, pending, counts);
+  while (!pending.empty()) {
+    const Pending parent = pending.back();
+    pending.pop_back();
+    add_children(row, parent, seed - static_cast<std::uint64_t>(root), pending, counts);
+  }
+}
+
 void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end,
                         RayCounts& counts) const {
   row.first_pixel = first;
+  row.places.clear();
+  for (int x = first; x < end; ++x) row.places.push_back(middle_of(x, y));
+  build(row, eye_rays, counts);
+}
+
+void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, RayCounts& counts) const {
+  constexpr std::size_t kPacket = ObjectTree::kMostRays;
   row.roots.clear();
   row.nodes.clear();
   row.texcoords.clear();
   row.reflections.clear();
   row.refractions.clear();
   row.shares.clear();
+  row.visibility.clear();
+  row.visibility.channels = scene_.has_dimmed_shadows ? 3 : 1;
   std::vector<Pending> pending;
-  for (int x = first; x < end; ++x) {
-    const Ray ray = eye_rays.through(x, y);
-    const Hit hit = tracer_.nearest(ray);
-    ++counts.eye;
-    const std::int32_t root = hit.is_hit() ? add_node(row, hit, ray, kNone, counts) : kEscaped;
-    row.roots.push_back(root);
-    if (!needs_trees_ || root < 0) continue;
-    pending.push_back({root, 0, 1});
-    while (!pending.empty()) {
-      const Pending parent = pending.back();
-      pending.pop_back();
-      if (parent.level < scene_.depth) add_children(row, parent, pending, counts);
+  std::array<Ray, kPacket> rays;
+  std::array<Hit, kPacket> hits;
+  for (std::size_t first = 0; first < row.places.size(); first += kPacket) {
+    const std::size_t count = std::min(kPacket, row.places.size() - first);
+    for (std::size_t i = 0; i < count; ++i) rays[i] = eye_rays.through(row.places[first + i]);
+    tracer_.nearest(std::span(rays).first(count), std::span(hits).first(count));
+    counts.eye += count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int32_t root = hits[i].is_hit() ? add_node(row, hits[i], rays[i], kNone, counts) : kEscaped;
+      row.roots.push_back(root);
+      grow(row, root, seed_of(row.places[first + i]), pending, counts);
     }
   }
 }

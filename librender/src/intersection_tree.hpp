@@ -9,9 +9,11 @@
 #include "eye_rays.hpp"
 #include "ray.hpp"
 #include "scattering.hpp"
+#include "surface_point.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
 #include "tracer.hpp"
+#include "visibility.hpp"
 
 namespace sweepkit::render {
 
@@ -28,18 +30,21 @@ struct TreeNode {
   std::uint32_t medium = kNone;  ///< the object that the ray ran inside of on its way here; kNone: air
 };
 
-/// One row of the picture as intersection trees, with a pixel more at either end (the filter's border) where
-/// something is filtered. Nodes lie flat, parents before children, and link by index: reflection grows one
-/// way, refraction the other. (u,v), links and shares have their arrays only where the plan needs them. The
-/// storage is used again from row to row.
+/// Intersection trees, one for each of the places that eye rays go through: those of a row of pixels, with
+/// some more at either end (the filter's border) where something is filtered, or the samples of a pixel.
+/// Nodes lie flat, parents before children, and link by index: reflection grows one way, refraction the
+/// other. (u,v), links, shares and visibility have their arrays only where the plan needs them. The storage
+/// is used again from row to row.
 struct TreeRow {
   int first_pixel = 0;
+  std::vector<glm::dvec2> places;   ///< of the picture, in pixels
   std::vector<std::int32_t> roots;  ///< node or kEscaped
   std::vector<TreeNode> nodes;
   std::vector<glm::dvec2> texcoords;
   std::vector<std::int32_t> reflections;  ///< by node: node, kEscaped or kNotTraced
   std::vector<std::int32_t> refractions;
   std::vector<Shares> shares;  ///< of the children; without them a material's `reflect`
+  Visibility visibility;
 
   std::int32_t root(int x) const { return roots[static_cast<std::size_t>(x - first_pixel)]; }
   std::int32_t reflection(std::int32_t node) const {
@@ -61,6 +66,7 @@ struct RayCounts {
   std::uint64_t eye = 0;
   std::uint64_t reflected = 0;
   std::uint64_t refracted = 0;
+  std::uint64_t shadow = 0;
   std::uint64_t texcoords = 0;
   std::uint64_t shares = 0;  ///< nodes whose shares were worked out
 };
@@ -72,6 +78,8 @@ class TreeBuilder {
 
   /// Pixels first..end-1 of row y.
   void build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end, RayCounts& counts) const;
+  /// The trees of row.places.
+  void build(TreeRow& row, const EyeRays& eye_rays, RayCounts& counts) const;
 
   /// (u,v) of a hit. Precondition: its mesh has any.
   glm::dvec2 texcoord_of(const Hit& hit) const;
@@ -82,11 +90,18 @@ class TreeBuilder {
     std::int32_t node;
     int level;
     double weight;
+    SurfacePoint point;
   };
 
   std::int32_t add_node(TreeRow& row, const Hit& hit, const Ray& ray, std::uint32_t medium,
                         RayCounts& counts) const;
-  void add_children(TreeRow& row, const Pending& parent, std::vector<Pending>& pending,
+  // Goes on from a root: all that follows, and the light that falls on it.
+  void grow(TreeRow& row, std::int32_t root, std::uint64_t seed, std::vector<Pending>& pending,
+            RayCounts& counts) const;
+  // Lights a node, the last one, and makes it wait if it has children.
+  void visit(TreeRow& row, std::int32_t node, int level, double weight, std::uint64_t seed,
+             std::vector<Pending>& pending, RayCounts& counts) const;
+  void add_children(TreeRow& row, const Pending& parent, std::uint64_t seed, std::vector<Pending>& pending,
                     RayCounts& counts) const;
   std::uint32_t area_of(const Hit& hit) const;
 
@@ -96,6 +111,7 @@ class TreeBuilder {
   bool needs_trees_;
   bool needs_refractions_;
   bool needs_shares_;
+  bool needs_shadows_;
 };
 
 }  // namespace sweepkit::render

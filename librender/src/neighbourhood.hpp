@@ -21,14 +21,20 @@ using Neighbourhood = std::array<std::array<std::int32_t, 3>, 3>;
 
 enum class Step { kReflected, kRefracted };
 
-/// How a node was reached: by which step from which one, or from the eye through which pixel.
+/// An eye ray's place, and the side of the square about it that it stands for, in pixels.
+struct EyeSample {
+  const EyeRays* eye_rays;
+  glm::dvec2 place;
+  double side = 1;
+  bool is_alone = false;  ///< without neighbours on a grid
+};
+
+/// How a node was reached: by which step from which one, or from the eye by which ray.
 struct NodePath {
   const TreeNode* node;
   const NodePath* from;
   Step step;  ///< with `from` alone
-  const EyeRays* eye_rays;
-  int x;
-  int y;
+  EyeSample eye;
 };
 
 /// The neighbour's node in its row, if it lies on the same piece of the same object.

@@ -7,7 +7,7 @@
 namespace sweepkit::render {
 
 RayDifferential arriving(const scene::Scene& scene, const Tracer& tracer, const NodePath& path) {
-  return path.from == nullptr ? path.eye_rays->differential(path.x, path.y)
+  return path.from == nullptr ? path.eye.eye_rays->differential(path.eye.place, path.eye.side)
                               : going_on(scene, tracer, *path.from, path.step);
 }
 

@@ -93,9 +93,11 @@ void fill_ledger(scene::Ledger& ledger, const BandCounts& counts, const Tracer& 
   ledger[Part::kTrees] = {counts.reflection_bytes, counts.rays.reflected + counts.rays.refracted};
   ledger[Part::kRefractions] = {counts.refraction_bytes, counts.rays.refracted};
   ledger[Part::kShares] = {counts.share_bytes, counts.rays.shares};
-  ledger[Part::kShadows] = {0, counts.shading.shadow_rays};
-  ledger[Part::kDimmedShadows] = {0, has_dimmed_shadows ? counts.shading.shadow_rays : 0};
+  ledger[Part::kShadows] = {counts.visibility_bytes, counts.rays.shadow};
+  ledger[Part::kDimmedShadows] = {0, has_dimmed_shadows ? counts.rays.shadow : 0};
+  ledger[Part::kShadowEdges] = {0, counts.shading.smoothed};
   ledger[Part::kEnvironment] = {0, counts.shading.environment_lookups};
+  ledger[Part::kRefinement] = {counts.refinement.bytes, counts.refinement.pixels};
   ledger[Part::kSupersampling] = {counts.shrink_bytes, counts.shrink_bytes > 0 ? 1u : 0u};
   if (tracer.has_object_tree()) ledger[Part::kObjectTree] = {tracer.object_tree().bytes(), 1};
 }
@@ -107,6 +109,16 @@ void check(const scene::Scene& scene, const Options& options) {
   }
   if (options.threads < 0 || options.threads > 4096) {
     throw InputError("threads needs 0 (all) to 4096, got " + std::to_string(options.threads));
+  }
+  if (const auto& adaptive = options.adaptive) {
+    if (options.supersampling != 1) {
+      throw InputError("adaptive antialiasing needs a supersampling of 1, got " +
+                       std::to_string(options.supersampling));
+    }
+    if (!(adaptive->contrast > 0))
+      throw InputError("contrast needs a number over 0, got " + std::to_string(adaptive->contrast));
+    if (adaptive->most_rays < kFewestRefiningRays || adaptive->most_rays > kMostRefiningRays)
+      throw InputError("most_rays needs 4 to 256, got " + std::to_string(adaptive->most_rays));
   }
   for (std::size_t i = 0; i < options.layers.size(); ++i) {
     if (std::find(options.layers.begin(), options.layers.begin() + static_cast<std::ptrdiff_t>(i),
@@ -175,6 +187,11 @@ BandCounts paint_bands(const BandPainter& painter, texmap::Image& image, const O
   return total;
 }
 
+// Adaptive antialiasing is by a box of one pixel, and so are its textures.
+Filter texture_filter(const Options& options) {
+  return options.adaptive && options.filter == Filter::kAuto ? Filter::kBox : options.filter;
+}
+
 }  // namespace
 
 struct Renderer::Parts {
@@ -186,7 +203,7 @@ struct Renderer::Parts {
         tracer(drawn, planned.needs_part(scene::Part::kObjectTree), options.accelerator),
         build_seconds(seconds_since(start)),
         tiles(memory_for_tiles(drawn, planned)),
-        samplers(make_samplers(drawn, planned, options.filter, tiles)),
+        samplers(make_samplers(drawn, planned, texture_filter(options), tiles)),
         environment(drawn, planned, options.filter, tiles) {}
 
   const scene::Scene& scene;
@@ -231,10 +248,11 @@ Picture Renderer::draw(int step) const {
   const EyeRays eye_rays(scene.camera, width * supersampling, height * supersampling);
   const EyeRays middle_rays(scene.camera, width, height);
   const TreeBuilder builder(scene, plan, tracer);
-  const TextureLookup textures(scene, plan, tracer, samplers, options.filter, options.footprint);
-  const Shader shader(scene, plan, tracer, textures, environment);
+  const TextureLookup textures(scene, plan, tracer, samplers, texture_filter(options), options.footprint);
+  const Shader shader(scene, plan, tracer, textures, environment, options.has_alpha);
   const LayerPainter layers(scene, tracer, builder, middle_rays, picture.layers);
-  const BandPainter painter(plan, eye_rays, builder, shader, layers, tiles, region, supersampling);
+  const BandPainter painter(scene, plan, eye_rays, builder, shader, layers, tiles, region, supersampling,
+                            step > 1 ? std::nullopt : options.adaptive);
   BandCounts total = paint_bands(painter, picture.image, options);
   if (step > 1) {
     picture.image = expanded(picture.image, region, wanted, step);
@@ -244,8 +262,10 @@ Picture Renderer::draw(int step) const {
 
   statistics.eye_rays = total.rays.eye;
   statistics.reflected_rays = total.rays.reflected;
+  statistics.refined_pixels = total.refinement.pixels;
+  statistics.refining_rays = total.refinement.rays;
   statistics.refracted_rays = total.rays.refracted;
-  statistics.shadow_rays = total.shading.shadow_rays;
+  statistics.shadow_rays = total.rays.shadow;
   statistics.layer_rays = total.layer_rays;
   statistics.nodes = total.shading.nodes;
   statistics.filtered_nodes = total.shading.lookups.filtered;

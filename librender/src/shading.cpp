@@ -24,64 +24,93 @@ std::int32_t child_of(const TreeRow& row, std::int32_t node, Step step) {
 
 }  // namespace
 
-glm::dvec3 Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, int y,
-                         texmap::FilterThread& filter, ShadingCounts& counts) const {
-  const std::int32_t root = rows[1]->root(x);
-  if (root < 0) {
-    if (!environment_.is_picture()) return glm::dvec3(scene_.background);
-    return background(eye_rays.through(x, y).direction, eye_rays.differential(x, y), filter, counts);
+TreeColor Shader::seen(const RowWindow& rows, const Neighbourhood& nodes, const EyeSample& eye,
+                       texmap::FilterThread& filter, ShadingCounts& counts) const {
+  const std::int32_t root = nodes[1][1];
+  if (root >= 0) {
+    const NodePath path{&rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, Step::kReflected, eye};
+    const TreeLight light = dimmed_node(rows, nodes, path, filter, counts);
+    return {glm::dvec4(light.color, 1), light.plain};
   }
+  if (leaves_background_out_) return {glm::dvec4(0.0), glm::dvec3(0.0)};
+  const glm::dvec3 color = environment_.is_picture()
+                               ? background(eye.eye_rays->through(eye.place).direction,
+                                            eye.eye_rays->differential(eye.place, eye.side), filter, counts)
+                               : glm::dvec3(scene_.background);
+  return {glm::dvec4(color, 0), color};
+}
+
+TreeColor Shader::pixel(const RowWindow& rows, const EyeRays& eye_rays, int x, texmap::FilterThread& filter,
+                        ShadingCounts& counts) const {
   Neighbourhood nodes;
-  nodes[1][1] = root;
+  nodes[1][1] = rows[1]->root(x);
   if (looks_round_) {
     for (std::size_t r = 0; r < 3; ++r) {
       for (std::size_t c = 0; c < 3; ++c) nodes[r][c] = rows[r]->root(x + static_cast<int>(c) - 1);
     }
   }
-  const NodePath path{
-      &rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, Step::kReflected, &eye_rays, x, y};
-  return dimmed_node(rows, nodes, path, filter, counts);
+  const glm::dvec2& place = rows[1]->places[static_cast<std::size_t>(x - rows[1]->first_pixel)];
+  return seen(rows, nodes, {&eye_rays, place}, filter, counts);
 }
 
-glm::dvec3 Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
-                        texmap::FilterThread& filter, ShadingCounts& counts) const {
+TreeColor Shader::sample(const TreeRow& row, const EyeRays& eye_rays, std::size_t index, double side,
+                         texmap::FilterThread& filter, ShadingCounts& counts) const {
+  Neighbourhood nodes;
+  for (auto& beside : nodes) beside.fill(kNotTraced);
+  nodes[1][1] = row.roots[index];
+  return seen({&row, &row, &row}, nodes, {&eye_rays, row.places[index], side, true}, filter, counts);
+}
+
+TreeLight Shader::node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+                       texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t index = nodes[1][1];
   const TreeNode& at = *path.node;
   const scene::Material& material = material_of(scene_, at.hit.object);
   const Shares shares = rows[1]->shares.empty() ? Shares{material.reflect, 0}
                                                 : rows[1]->shares[static_cast<std::size_t>(index)];
   // The deeper nodes first.
-  glm::dvec3 from_deeper(0.0);
-  if (shares.mirrored > 0)
-    from_deeper += shares.mirrored * child(rows, nodes, path, Step::kReflected, filter, counts);
-  if (shares.refracted > 0)
-    from_deeper += shares.refracted * child(rows, nodes, path, Step::kRefracted, filter, counts);
+  TreeLight deeper;
+  const auto add = [&](double share, Step step) {
+    if (!(share > 0)) return;
+    const TreeLight light = child(rows, nodes, path, step, filter, counts);
+    deeper.color += share * light.color;
+    deeper.plain += share * light.plain;
+  };
+  add(shares.mirrored, Step::kReflected);
+  add(shares.refracted, Step::kRefracted);
   ++counts.nodes;
-  const glm::dvec3 color = textures_.diffuse(rows, nodes, path, material, filter, counts.lookups);
-  return local_light(scene_, tracer_, at, material, color, counts.shadow_rays) + from_deeper;
+  if (shadows_ == Shadows::kSmooth) ++counts.smoothed;
+  const DiffuseColor diffuse = textures_.diffuse(rows, nodes, path, material, filter, counts.lookups);
+  const LocalLight light = local_light(scene_, shadows_, rows, nodes, material);
+  return {diffuse.color * light.on_diffuse + light.highlights + deeper.color,
+          diffuse.plain * light.on_diffuse + light.highlights + deeper.plain};
 }
 
-glm::dvec3 Shader::dimmed_node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
-                               texmap::FilterThread& filter, ShadingCounts& counts) const {
-  const glm::dvec3 color = node(rows, nodes, path, filter, counts);
+TreeLight Shader::dimmed_node(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+                              texmap::FilterThread& filter, ShadingCounts& counts) const {
+  const TreeLight light = node(rows, nodes, path, filter, counts);
   const std::uint32_t medium = path.node->medium;
-  return medium == kNone ? color : color * absorbed(material_of(scene_, medium), path.node->hit.t);
+  if (medium == kNone) return light;
+  const glm::dvec3 left = absorbed(material_of(scene_, medium), path.node->hit.t);
+  return {light.color * left, light.plain * left};
 }
 
-glm::dvec3 Shader::child(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path, Step step,
-                         texmap::FilterThread& filter, ShadingCounts& counts) const {
+TreeLight Shader::child(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path, Step step,
+                        texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t index = child_of(*rows[1], nodes[1][1], step);
   // At the deepest level nothing comes; from outside, the background.
-  if (index == kNotTraced) return glm::dvec3(0.0);
-  if (index == kEscaped) return escaped(path, step, filter, counts);
+  if (index == kNotTraced) return {};
+  if (index == kEscaped) {
+    const glm::dvec3 color = escaped(path, step, filter, counts);
+    return {color, color};
+  }
   Neighbourhood children;
   children[1][1] = index;
   for (std::size_t r = 0; looks_round_ && r < 3; ++r) {
     for (std::size_t c = 0; c < 3; ++c)
       children[r][c] = nodes[r][c] >= 0 ? child_of(*rows[r], nodes[r][c], step) : kNotTraced;
   }
-  const NodePath longer{
-      &rows[1]->nodes[static_cast<std::size_t>(index)], &path, step, path.eye_rays, path.x, path.y};
+  const NodePath longer{&rows[1]->nodes[static_cast<std::size_t>(index)], &path, step, path.eye};
   return dimmed_node(rows, children, longer, filter, counts);
 }
 

@@ -17,7 +17,7 @@
 namespace sweepkit::render {
 
 std::optional<glm::vec3> TextureLookup::filtered(const RowWindow& rows, const Neighbourhood& nodes,
-                                                 const texmap::TextureSampler& sampler,
+                                                 double side, const texmap::TextureSampler& sampler,
                                                  texmap::FilterThread& filter) const {
   const auto own = static_cast<std::size_t>(nodes[1][1]);
   const TreeNode& at = rows[1]->nodes[own];
@@ -43,8 +43,10 @@ std::optional<glm::vec3> TextureLookup::filtered(const RowWindow& rows, const Ne
       return sampler.over_box(texmap::neighbour_box(hit, around, period), filter);
   }
   const texmap::Beside beside{neighbour(1, 0), neighbour(1, 2), neighbour(0, 1), neighbour(2, 1)};
-  const std::optional<texmap::Footprint> footprint = texmap::footprint_from(hit, beside, period);
+  std::optional<texmap::Footprint> footprint = texmap::footprint_from(hit, beside, period);
   if (!footprint) return std::nullopt;
+  footprint->dx *= side;
+  footprint->dy *= side;
   return sampler.sample(*footprint, filter);
 }
 
@@ -59,6 +61,7 @@ glm::dvec3 TextureLookup::pattern_place(const TreeRow& row, std::size_t node, te
 
 std::optional<texmap::PatternFootprint> TextureLookup::pattern_footprint(const RowWindow& rows,
                                                                          const Neighbourhood& nodes,
+                                                                         double side,
                                                                          texmap::ProceduralOn on) const {
   const auto own = static_cast<std::size_t>(nodes[1][1]);
   const TreeNode& at = rows[1]->nodes[own];
@@ -89,45 +92,56 @@ std::optional<texmap::PatternFootprint> TextureLookup::pattern_footprint(const R
   const std::optional<glm::dvec3> dx = step(way_to(1, 0), way_to(1, 2));
   const std::optional<glm::dvec3> dy = step(way_to(0, 1), way_to(2, 1));
   if (!dx || !dy) return std::nullopt;
-  return texmap::PatternFootprint{here, *dx, *dy};
+  return texmap::PatternFootprint{here, side * *dx, side * *dy};
 }
 
 HitDifferential TextureLookup::moved_hit(const NodePath& path) const {
   return at_hit(tracer_, path.node->hit, path.node->direction, arriving(scene_, tracer_, path));
 }
 
-glm::dvec3 TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
-                                  const scene::Material& material, texmap::FilterThread& filter,
-                                  LookupCounts& counts) const {
+DiffuseColor TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+                                    const scene::Material& material, texmap::FilterThread& filter,
+                                    LookupCounts& counts) const {
   const glm::dvec3 base(material.diffuse);
-  if (!material.texture) return base;
+  if (!material.texture) return {base, base};
+  const auto seen_by_filter = [&](const glm::vec3& texel) -> DiffuseColor {
+    const glm::dvec3 color = base * glm::dvec3(texel);
+    return {color, filter_ == texmap::Filter::kBox ? base : color};
+  };
+  const auto seen_at_a_point = [&](const glm::vec3& texel) -> DiffuseColor {
+    const glm::dvec3 color = base * glm::dvec3(texel);
+    return {color, color};
+  };
   ++counts.textured;
+  // The paper's neighbours or nothing; but a ray without any has nothing else.
+  const bool uses_differentials =
+      has_differentials_ && (footprint_ != Footprint::kNeighbours || path.eye.is_alone);
   const auto own = static_cast<std::size_t>(nodes[1][1]);
   const glm::dvec2 uv = rows[1]->texcoords.empty() ? glm::dvec2(0.0) : rows[1]->texcoords[own];
   if (const std::optional<texmap::TextureSampler>& sampler = samplers_[*material.texture]) {
     if (looks_round_ && texmap::reads_footprint(filter_)) {
-      if (const std::optional<glm::vec3> color = filtered(rows, nodes, *sampler, filter)) {
+      if (const std::optional<glm::vec3> color = filtered(rows, nodes, path.eye.side, *sampler, filter)) {
         ++counts.filtered;
-        return base * glm::dvec3(*color);
+        return seen_by_filter(*color);
       }
     }
-    if (uses_differentials_ && texmap::reads_footprint(filter_)) {
+    if (uses_differentials && texmap::reads_footprint(filter_)) {
       ++counts.differentials;
-      return base *
-             glm::dvec3(sampler->sample(footprint_of(tracer_, path.node->hit, moved_hit(path), uv), filter));
+      return seen_by_filter(
+          sampler->sample(footprint_of(tracer_, path.node->hit, moved_hit(path), uv), filter));
     }
     // Nothing tells how large the pixel is here: as large as a texel, then.
-    return base * glm::dvec3(sampler->sample({uv}, filter));
+    return seen_at_a_point(sampler->sample({uv}, filter));
   }
   const auto& procedural = std::get<texmap::Procedural>(scene_.textures[*material.texture]);
   if (looks_round_) {
-    if (const auto footprint = pattern_footprint(rows, nodes, procedural.on)) {
+    if (const auto footprint = pattern_footprint(rows, nodes, path.eye.side, procedural.on)) {
       ++counts.filtered;
-      return base * glm::dvec3(texmap::evaluate(procedural, *footprint));
+      return seen_at_a_point(texmap::evaluate(procedural, *footprint));
     }
   }
   texmap::PatternFootprint footprint{pattern_place(*rows[1], own, procedural.on)};
-  if (uses_differentials_) {
+  if (uses_differentials) {
     ++counts.differentials;
     const HitDifferential moved = moved_hit(path);
     if (procedural.on == texmap::ProceduralOn::kUv) {
@@ -140,7 +154,7 @@ glm::dvec3 TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& no
       footprint.dy = to_mesh * moved.y;
     }
   }
-  return base * glm::dvec3(texmap::evaluate(procedural, footprint));
+  return seen_at_a_point(texmap::evaluate(procedural, footprint));
 }
 
 }  // namespace sweepkit::render

@@ -28,6 +28,13 @@ struct LookupCounts {
   std::uint64_t differentials = 0;
 };
 
+/// A diffuse colour, and what it would be if the textures that are averaged over the pixel itself
+/// (Filter::kBox) were white: what is left then varies within a pixel in ways that no filter has seen.
+struct DiffuseColor {
+  glm::dvec3 color;
+  glm::dvec3 plain;
+};
+
 /// The diffuse colour of nodes: the material's, times its texture filtered over what the pixel covers.
 class TextureLookup {
  public:
@@ -39,32 +46,31 @@ class TextureLookup {
         filter_(filter),
         footprint_(footprint),
         looks_round_(plan.needs_part(scene::Part::kFilteredNodes)),
-        uses_differentials_(plan.needs_part(scene::Part::kDifferentials) &&
-                            footprint != Footprint::kNeighbours) {}
+        has_differentials_(plan.needs_part(scene::Part::kDifferentials)) {}
 
   /// Of the node nodes[1][1], which `path` ends with.
-  glm::dvec3 diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
-                     const scene::Material& material, texmap::FilterThread& filter,
-                     LookupCounts& counts) const;
+  DiffuseColor diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+                       const scene::Material& material, texmap::FilterThread& filter,
+                       LookupCounts& counts) const;
 
  private:
   HitDifferential moved_hit(const NodePath& path) const;
-  std::optional<glm::vec3> filtered(const RowWindow& rows, const Neighbourhood& nodes,
+  std::optional<glm::vec3> filtered(const RowWindow& rows, const Neighbourhood& nodes, double side,
                                     const texmap::TextureSampler& sampler,
                                     texmap::FilterThread& filter) const;
   // Where a node lies in the space that a procedural texture is on, and what its pixel covers there, by the
   // pixels beside it; none where they do not tell.
   glm::dvec3 pattern_place(const TreeRow& row, std::size_t node, texmap::ProceduralOn on) const;
   std::optional<texmap::PatternFootprint> pattern_footprint(const RowWindow& rows, const Neighbourhood& nodes,
-                                                            texmap::ProceduralOn on) const;
+                                                            double side, texmap::ProceduralOn on) const;
 
   const scene::Scene& scene_;
   const Tracer& tracer_;
   const Samplers& samplers_;
   texmap::Filter filter_;
   Footprint footprint_;
-  bool looks_round_;         // are footprints made from neighbours?
-  bool uses_differentials_;  // and from the rays' derivatives?
+  bool looks_round_;        // are footprints made from neighbours?
+  bool has_differentials_;  // and from the rays' derivatives?
 };
 
 }  // namespace sweepkit::render

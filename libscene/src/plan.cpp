@@ -54,10 +54,11 @@ Usage usage_of(const Document& document) {
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",         "(u,v) layouts", "textures",        "baked textures",    "integral tables",
-      "texture tiles",      "(u,v) at hits", "filtered nodes",  "ray differentials", "row buffers",
-      "intersection trees", "refractions",   "shares by angle", "shadow rays",       "dimmed shadows",
-      "background image",   "supersampling", "layers",          "tree over objects"};
+      "half-edges",         "(u,v) layouts",    "textures",        "baked textures",    "integral tables",
+      "texture tiles",      "(u,v) at hits",    "filtered nodes",  "ray differentials", "row buffers",
+      "intersection trees", "refractions",      "shares by angle", "shadow rays",       "dimmed shadows",
+      "shadow edges",       "background image", "supersampling",   "refinement",        "layers",
+      "tree over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -103,7 +104,9 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kTexcoords, usage.reads_uv,
               usage.reads_uv ? "textures are looked up by (u,v)" : "no texture reads (u,v)");
   const bool has_neighbours = has_footprints && request.has_neighbours;
-  const bool has_differentials = has_footprints && request.has_differentials;
+  // The rays that refine a pixel have no neighbours to look at.
+  const bool has_differentials = has_footprints && (request.has_differentials || request.is_refined);
+  const bool has_shadow_edges = has_light && request.has_smooth_shadows;
   const std::string no_footprints = usage.has_texture ? filter : "no texture is used";
   picture_row(Part::kFilteredNodes, has_neighbours,
               has_neighbours   ? "textured hits are filtered over their neighbours"
@@ -114,9 +117,10 @@ Plan plan(const Document& document, const Request& request) {
                   ? has_neighbours ? "for textured hits without neighbours" : "they were asked for"
               : has_footprints ? "footprints come from neighbours alone"
                                : no_footprints);
-  picture_row(Part::kRows, has_neighbours,
-              has_neighbours ? "the filter looks at the rows above and below"
-                             : "one row is enough where no neighbour is looked at");
+  picture_row(Part::kRows, has_neighbours || has_shadow_edges,
+              has_neighbours     ? "the filter looks at the rows above and below"
+              : has_shadow_edges ? "shadow edges are averaged with the rows above and below"
+                                 : "one row is enough where no neighbour is looked at");
   const bool has_paths = usage.reflects || usage.transmits;
   const bool has_trees = has_paths && document.depth > 0;
   const std::string no_depth = "the depth is 0";
@@ -140,10 +144,16 @@ Plan plan(const Document& document, const Request& request) {
               !usage.transmits ? "no material in use transmits"
               : has_light      ? "materials in use transmit, and there is a light"
                                : "there is no light, only ambient");
+  picture_row(Part::kShadowEdges, has_shadow_edges,
+              !has_light         ? "there is no light, only ambient"
+              : has_shadow_edges ? "shadows are to be smooth"
+                                 : "shadows are to be hard");
   picture_row(Part::kEnvironment, document.environment.has_value(),
               document.environment ? "the background is an image" : "the background is a colour");
   picture_row(Part::kSupersampling, request.is_supersampled,
               request.is_supersampled ? "it was asked for" : "it was not asked for");
+  picture_row(Part::kRefinement, request.is_refined,
+              request.is_refined ? "it was asked for" : "it was not asked for");
   picture_row(Part::kLayers, request.has_layers,
               request.has_layers ? "they were asked for" : "they were not asked for");
   const bool has_several =

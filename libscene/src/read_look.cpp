@@ -153,11 +153,16 @@ Light read_light(const Node& node) {
   ObjectReader reader(node);
   const std::optional<Node> point = reader.find("point");
   const std::optional<Node> directional = reader.find("directional");
+  const std::optional<Node> radius = reader.find("radius");
   glm::vec3 intensity(1.0f);
   if (const auto value = reader.find("intensity")) intensity = value->color();
   reader.finish();
   if (point && directional) directional->fail("a light is \"point\" or \"directional\", not both");
-  if (point) return PointLight{point->vector<3>(kCoordinate), intensity};
+  if (radius && !point) radius->fail("only a \"point\" light has a radius");
+  if (point) {
+    return PointLight{point->vector<3>(kCoordinate), intensity,
+                      radius ? radius->number({.low = 0, .high = kExtent.high, .unit = kExtent.unit}) : 0};
+  }
   if (!directional) node.fail("needs \"point\" or \"directional\"");
   const glm::dvec3 direction = directional->vector<3>(kCoordinate);
   if (glm::length(direction) < kExtent.low) directional->fail("needs a direction that is not zero");

@@ -7,6 +7,7 @@
 #include "elliptical_average.hpp"
 #include "filter_scratch.hpp"
 #include "mip_filter.hpp"
+#include "parallelogram_average.hpp"
 #include "pyramid.hpp"
 #include "repeated_integration.hpp"
 
@@ -58,6 +59,10 @@ glm::vec3 TextureSampler::sample(const Footprint& footprint, FilterThread& threa
       return prepared_->integrals->over_pixel(footprint, *thread.scratch_);
     case Filter::kEwa:
       return elliptical_average(*prepared_->pyramid, wrap, footprint, Detail::kFull, *thread.scratch_);
+    case Filter::kBox:
+      if (const auto mean = parallelogram_average(*prepared_->pyramid, wrap, footprint, *thread.scratch_))
+        return *mean;
+      break;
     case Filter::kAuto:
       break;
   }

@@ -48,14 +48,17 @@ void expect_left_out(const std::map<std::string, Part>& parts, const std::string
 TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
   const Workshop workshop;
   workshop.write("ball.json", scene_of(kBall, R"("camera": {"width": 64, "height": 64})"));
-  const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "ball.png", "--explain", "--json"});
+  const Outcome run = workshop.sweepkit(
+      {"render", "ball.json", "-o", "ball.png", "--shadows", "hard", "--explain", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const auto parts = parts_of(run.out);
-  for (const char* name :
-       {"half-edges", "(u,v) layouts", "textures", "baked textures", "integral tables", "texture tiles",
-        "(u,v) at hits", "filtered nodes", "ray differentials", "row buffers", "intersection trees",
-        "refractions", "shares by angle", "dimmed shadows", "background image", "supersampling", "layers",
-        "tree over objects"}) {
+  for (const char* name : {"half-edges",       "(u,v) layouts",      "textures",
+                           "baked textures",   "integral tables",    "texture tiles",
+                           "(u,v) at hits",    "filtered nodes",     "ray differentials",
+                           "row buffers",      "intersection trees", "refractions",
+                           "shares by angle",  "dimmed shadows",     "shadow edges",
+                           "background image", "supersampling",      "refinement",
+                           "layers",           "tree over objects"}) {
     expect_left_out(parts, name);
   }
   EXPECT_EQ(parts.at("shadow rays").needed, "true");
@@ -69,7 +72,7 @@ TEST(Explain, OfAGenerateShowsThatNoPictureIsDrawn) {
   for (const auto& [name, part] : parts_of(run.out)) expect_left_out(parts_of(run.out), name);
 }
 
-TEST(Explain, OfASceneThatNeedsNearlyEverythingCountsAllButHalfEdgesLayoutsBakesTablesAndWhatGlassNeeds) {
+TEST(Explain, OfASceneThatNeedsNearlyEverythingCountsAllButWhatGlassTablesAndRefinementNeed) {
   const Workshop workshop;
   const Outcome run =
       workshop.sweepkit({"render", SWEEPKIT_SAMPLES "/scenes/vase_and_cup.json", "-o", "p.png", "--explain",
@@ -78,7 +81,7 @@ TEST(Explain, OfASceneThatNeedsNearlyEverythingCountsAllButHalfEdgesLayoutsBakes
   for (const auto& [name, part] : parts_of(run.out)) {
     if (name == "half-edges" || name == "(u,v) layouts" || name == "baked textures" ||
         name == "integral tables" || name == "refractions" || name == "shares by angle" ||
-        name == "dimmed shadows" || name == "background image") {
+        name == "dimmed shadows" || name == "background image" || name == "refinement") {
       expect_left_out(parts_of(run.out), name);
     } else {
       EXPECT_EQ(part.needed, "true") << name;
@@ -127,8 +130,8 @@ TEST(Quiet, SaysNothing) {
 TEST(Statistics, AreWrittenBesideThePicture) {
   const Workshop workshop;
   workshop.write("ball.json", scene_of(kBall));
-  const Outcome run =
-      workshop.sweepkit({"render", "ball.json", "-o", "p.png", "--size", "20x10", "--stats", "p.json"});
+  const Outcome run = workshop.sweepkit(
+      {"render", "ball.json", "-o", "p.png", "--size", "20x10", "--shadows", "hard", "--stats", "p.json"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(workshop.read("p.json").find("\"eye_rays\": 200,"), std::string::npos) << workshop.read("p.json");
   const auto names_of = [](const std::map<std::string, Part>& parts) {

@@ -74,7 +74,7 @@ std::string name_of(const testing::TestParamInfo<std::vector<std::string>>& info
     if (argument.compare(0, 4, "out.") == 0) name += "_" + argument.substr(4);
     if (argument == "--alpha") name += "_alpha";
     if (argument == "--frames") name += "_frame";
-    if (argument == "3x3" || argument == "point") name += "_" + argument;
+    if (argument == "3x3" || argument == "adaptive" || argument == "point") name += "_" + argument;
   }
   return name;
 }
@@ -86,6 +86,7 @@ const std::vector<std::vector<std::string>> kPictures = {
     {"render", "scene.json", "-o", "out.exr"},
     {"render", "scene.json", "-o", "out.exr", "--filter", "point"},
     {"render", "scene.json", "-o", "out.exr", "--antialias", "3x3"},
+    {"render", "scene.json", "-o", "out.exr", "--antialias", "adaptive"},
     {"render", "scene.json", "-o", "out.png", "--alpha", "--bits", "16", "--aov", "depth,uv"},
     {"render", "scene.json", "-o", "out.exr", "--alpha", "--aov", "depth,normal,uv,object-id,footprint,rays"},
     {"render", "scene.json", "-o", "out.png", "--frames", "3", "--skip-existing"},

@@ -36,6 +36,29 @@ TEST(Crop, IsThatPartOfTheWholePictureToTheBit) {
   }
 }
 
+TEST(Crop, IsThatPartOfARefinedPictureToTheBit) {
+  const test::Stage stage(kTiled);
+  for (const Shadows shadows : {Shadows::kHard, Shadows::kSmooth}) {
+    const Options options{.adaptive = Adaptive{}, .shadows = shadows, .layers = {Layer::kRays}};
+    const Picture whole = stage.draw(options);
+    for (const Region& crop :
+         {Region{0, 0, 61, 43}, Region{17, 9, 30, 21}, Region{60, 42, 1, 1}, Region{0, 40, 61, 3}}) {
+      Options part_options = options;
+      part_options.crop = crop;
+      const Picture part = stage.draw(part_options);
+      for (int y = 0; y < crop.height; ++y) {
+        const int from = (crop.y + y) * 61 + crop.x;
+        const float* expected = test::texels(whole).data() + 3 * from;
+        ASSERT_TRUE(
+            std::equal(expected, expected + 3 * crop.width, test::texels(part).data() + 3 * y * crop.width));
+        const std::vector<float> rays = test::eye_rays(whole);
+        ASSERT_TRUE(std::equal(rays.begin() + from, rays.begin() + from + crop.width,
+                               test::eye_rays(part).begin() + y * crop.width));
+      }
+    }
+  }
+}
+
 TEST(Crop, OutsideThePictureIsRefused) {
   const test::Stage stage(kTiled);
   for (const Region& crop :

@@ -18,6 +18,8 @@ inline scene::Plan plan_for(const scene::Document& document, const Options& opti
       document, {.product = scene::Request::Product::kPicture,
                  .filter = options.filter,
                  .is_supersampled = options.supersampling > 1,
+                 .is_refined = options.adaptive.has_value(),
+                 .has_smooth_shadows = options.shadows == Shadows::kSmooth,
                  .has_layers = !options.layers.empty(),
                  .shows_texcoords = std::ranges::find(options.layers, Layer::kUv) != options.layers.end(),
                  .has_neighbours = options.footprint != Footprint::kDifferentials,
@@ -46,6 +48,12 @@ struct Stage {
 
 inline const std::vector<float>& texels(const Picture& picture) {
   return std::get<std::vector<float>>(picture.image.texels);
+}
+
+/// The layer of eye rays a pixel.
+inline const std::vector<float>& eye_rays(const Picture& picture) {
+  const auto layer = std::ranges::find(picture.layers, Layer::kRays, &PictureLayer::layer);
+  return std::get<std::vector<float>>(layer->image.texels);
 }
 
 }  // namespace sweepkit::render::test

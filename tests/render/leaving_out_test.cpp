@@ -19,11 +19,12 @@ TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrObjectTree) {
   const Stage stage(
       R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
-  const Picture picture = stage.draw();
-  for (const Part part : {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles,
-                          Part::kTexcoords, Part::kFilteredNodes, Part::kDifferentials, Part::kRows,
-                          Part::kTrees, Part::kRefractions, Part::kShares, Part::kDimmedShadows,
-                          Part::kEnvironment, Part::kSupersampling, Part::kLayers, Part::kObjectTree}) {
+  const Picture picture = stage.draw({.shadows = Shadows::kHard});
+  for (const Part part :
+       {Part::kHalfEdges, Part::kTextures, Part::kBakes, Part::kTables, Part::kTiles, Part::kTexcoords,
+        Part::kFilteredNodes, Part::kDifferentials, Part::kRows, Part::kTrees, Part::kRefractions,
+        Part::kShares, Part::kDimmedShadows, Part::kShadowEdges, Part::kEnvironment, Part::kSupersampling,
+        Part::kRefinement, Part::kLayers, Part::kObjectTree}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
   }
@@ -35,6 +36,7 @@ TEST(LeavingOut, WithoutALightThereIsNoShadowRay) {
       R"({"sweepkit": 1, "ambient": [1, 1, 1], "camera": {"width": 32, "height": 32}, "objects": [{"name": "p", "plane": {"size": [1, 1]}}]})");
   const Picture picture = stage.draw();
   expect_nothing(picture.ledger, Part::kShadows);
+  expect_nothing(picture.ledger, Part::kShadowEdges);
   EXPECT_EQ(picture.statistics.shadow_rays, 0u);
 }
 
@@ -45,8 +47,9 @@ TEST(LeavingOut, EveryPartThatIsNeededShowsUp) {
   stage.set_texture(0, texmap::Image{4, 4, 1, std::vector<std::uint16_t>(16, 30000)});
   EXPECT_GT(stage.draw({.filter = Filter::kIntegral1}).ledger[Part::kTables].calls, 0u);
   const Picture picture = stage.draw({.supersampling = 3, .layers = {Layer::kDepth}});
-  for (const Part part : {Part::kTiles, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
-                          Part::kShadows, Part::kSupersampling, Part::kLayers, Part::kObjectTree}) {
+  for (const Part part :
+       {Part::kTiles, Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees, Part::kShadows,
+        Part::kShadowEdges, Part::kSupersampling, Part::kLayers, Part::kObjectTree}) {
     EXPECT_GT(picture.ledger[part].calls, 0u) << scene::part_name(part);
   }
 }
@@ -81,11 +84,23 @@ TEST(LeavingOut, FootprintsFromOneSourceCostNothingOfTheOther) {
   stage.set_texture(0, texmap::Image{4, 4, 1, std::vector<std::uint16_t>(16, 30000)});
   const Picture neighbours = stage.draw({.footprint = Footprint::kNeighbours});
   expect_nothing(neighbours.ledger, Part::kDifferentials);
-  const Picture differentials = stage.draw({.footprint = Footprint::kDifferentials});
+  const Picture differentials =
+      stage.draw({.footprint = Footprint::kDifferentials, .shadows = Shadows::kHard});
   expect_nothing(differentials.ledger, Part::kRows);
   expect_nothing(differentials.ledger, Part::kFilteredNodes);
   EXPECT_EQ(differentials.ledger[Part::kDifferentials].calls, differentials.statistics.textured_nodes);
   EXPECT_EQ(differentials.statistics.eye_rays, 32u * 32);
+}
+
+TEST(LeavingOut, RefinementCostsWhatIsRefined) {
+  const Stage stage(
+      R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
+    "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
+  const Picture picture = stage.draw({.adaptive = Adaptive{}});
+  EXPECT_GT(picture.ledger[Part::kRefinement].bytes, 0u);
+  EXPECT_EQ(picture.ledger[Part::kRefinement].calls, picture.statistics.refined_pixels);
+  EXPECT_GT(picture.statistics.refined_pixels, 0u);
+  expect_nothing(picture.ledger, Part::kSupersampling);
 }
 
 TEST(LeavingOut, DoesNotChangeThePicture) {

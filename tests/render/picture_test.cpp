@@ -39,12 +39,18 @@ TEST(Picture, IsTheSameForAnyNumberOfThreads) {
     for (const int threads : {2, 7})
       EXPECT_EQ(texels(one), texels(stage.draw({.supersampling = n, .threads = threads})));
   }
+  const Picture refined = stage.draw({.adaptive = Adaptive{}, .threads = 1});
+  for (const int threads : {2, 7})
+    EXPECT_EQ(texels(refined), texels(stage.draw({.adaptive = Adaptive{}, .threads = threads})));
 }
 
 TEST(Picture, IsTheSameForALinearScan) {
   Stage stage(kStillLife);
   stage.set_texture(0, checker_image());
   EXPECT_EQ(texels(stage.draw()), texels(stage.draw({.accelerator = Accelerator::kLinear})));
+  const Region part{40, 30, 24, 16};
+  EXPECT_EQ(texels(stage.draw({.adaptive = Adaptive{}, .crop = part})),
+            texels(stage.draw({.adaptive = Adaptive{}, .crop = part, .accelerator = Accelerator::kLinear})));
 }
 
 TEST(Picture, IsTheSameAtScalesOfPowersOfTwo) {
@@ -92,7 +98,7 @@ TEST(Picture, ThrowsAShadowWhereGeometrySaysSo) {
       R"({"sweepkit": 1, "camera": {"eye": [0, 0.9, 0], "target": [0, 0, 0], "up": [0, 0, -1], "fov_deg": 120, "width": 101, "height": 101},
     "lights": [{"point": [0, 2, 0]}],
     "objects": [{"name": "floor", "plane": {"size": [20, 20]}}, {"name": "plate", "translate": [0, 1, 0], "plane": {"size": [1, 1]}}]})");
-  const Picture picture = stage.draw();
+  const Picture picture = stage.draw({.shadows = Shadows::kHard});
   const double half_width = 0.9 * std::tan(60 * 3.14159265358979 / 180);
   for (int x = 0; x < 101; ++x) {
     const double at = half_width * ((x + 0.5) / 101 * 2 - 1);

@@ -25,7 +25,7 @@ const std::string kEverything = R"(// line
   of two lines */
   "camera": {"eye": [1, 2, 3], "target": [0, 0.5, 0], "up": [0, 0, 1], "fov_deg": 30, "width": 64, "height": 32},
   "background": [0.1, 0.2, 0.3], "ambient": [0.4, 0.5, 0.6], "depth": 3,
-  "lights": [{"point": [1, 2, 3], "intensity": [4, 5, 6]}, {"directional": [0, -1, 0]}],
+  "lights": [{"point": [1, 2, 3], "radius": 0.5, "intensity": [4, 5, 6]}, {"directional": [0, -1, 0]}],
   "textures": {
     "picture": {"image": "a/b.png", "wrap": "clamp", "color_space": "linear"},
     "stone": {"procedural": "marble", "on": "position", "colors": [[0, 0, 0], [1, 1, 1]], "scale": 2, "turbulence": 3, "octaves": 4},
@@ -69,6 +69,7 @@ TEST(Document, HoldsWhatTheFileSays) {
   EXPECT_EQ(document.depth, 3);
   ASSERT_EQ(document.lights.size(), 2u);
   EXPECT_EQ(std::get<PointLight>(document.lights[0]).intensity, glm::vec3(4, 5, 6));
+  EXPECT_EQ(std::get<PointLight>(document.lights[0]).radius, 0.5);
   EXPECT_EQ(std::get<DirectionalLight>(document.lights[1]).intensity, glm::vec3(1));
 
   ASSERT_EQ(document.textures.size(), 8u);

@@ -58,7 +58,7 @@ TEST(Plan, EveryFilterNeedsWhatItReadsAlone) {
   }
   EXPECT_EQ(with(texmap::Filter::kBilinear), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords}));
   for (const texmap::Filter filter :
-       {texmap::Filter::kTrilinear, texmap::Filter::kEwa, texmap::Filter::kAuto}) {
+       {texmap::Filter::kTrilinear, texmap::Filter::kEwa, texmap::Filter::kBox, texmap::Filter::kAuto}) {
     EXPECT_EQ(with(filter), (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords, Part::kFilteredNodes,
                                       Part::kDifferentials, Part::kRows}));
   }
@@ -147,6 +147,27 @@ TEST(Plan, ShadowsNeedALightAndTheDefaultLightIsOne) {
   EXPECT_EQ(needed(scene_of("", R"("lights": [{"point": [0, 1, 0]}])"), kPicture), std::set{Part::kShadows});
   EXPECT_EQ(needed(parse(scene_text("")), kPicture), std::set{Part::kShadows});
   EXPECT_EQ(needed(parse(scene_text(R"("lights": [])")), kPicture), std::set{Part::kShadows});
+}
+
+TEST(Plan, SmoothShadowsNeedALightAndTheRowsAboveAndBelow) {
+  Request request = kPicture;
+  request.has_smooth_shadows = true;
+  EXPECT_EQ(needed(scene_of("", R"("lights": [{"point": [0, 1, 0]}])"), request),
+            (std::set{Part::kShadows, Part::kShadowEdges, Part::kRows}));
+  EXPECT_EQ(needed(scene_of(""), request), std::set<Part>{});
+  request.product = Product::kMeshFile;
+  EXPECT_EQ(needed(scene_of("", R"("lights": [{"point": [0, 1, 0]}])"), request), std::set<Part>{});
+}
+
+TEST(Plan, RefinementIsThereWhenAskedForAndFiltersByDifferentials) {
+  Request request{.product = Product::kPicture,
+                  .filter = texmap::Filter::kEwa,
+                  .is_refined = true,
+                  .has_differentials = false};
+  EXPECT_EQ(needed(scene_of(""), request), std::set{Part::kRefinement});
+  EXPECT_EQ(needed(scene_of(R"("texture": "image")"), request),
+            (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords, Part::kFilteredNodes,
+                      Part::kDifferentials, Part::kRows, Part::kRefinement}));
 }
 
 TEST(Plan, SupersamplingAndHalfEdgesAreThereWhenAskedFor) {

@@ -106,7 +106,7 @@ TEST(SceneFaults, UnknownKeysAreRefusedByNameAtTheKeyItself) {
 }
 
 TEST(SceneFaults, KeysThatComeLaterAreNotTakenSilently) {
-  for (const char* line : {"\"lights\": [{\"point\": [0, 0, 0], \"radius\": 1}]",
+  for (const char* line : {"\"lights\": [{\"point\": [0, 0, 0], \"size\": 1}]",
                            "\"materials\": {\"m\": {\"normal_map\": \"x\"}}"}) {
     EXPECT_NE(fault_of(with_line(line)).find("unknown key"), std::string::npos) << line;
   }
@@ -167,6 +167,10 @@ TEST(SceneFaults, LightAndSurroundings) {
       {with_line("\"lights\": [{}]"), at + "14: /lights/0: needs \"point\" or \"directional\""},
       {with_line("\"lights\": [{\"point\": [0, 0, 0], \"directional\": [0, 0, 1]}]"),
        at + "50: /lights/0/directional: a light is \"point\" or \"directional\", not both"},
+      {with_line("\"lights\": [{\"directional\": [0, 0, 1], \"radius\": 1}]"),
+       at + "51: /lights/0/radius: only a \"point\" light has a radius"},
+      {with_line("\"lights\": [{\"point\": [0, 0, 0], \"radius\": -1}]"),
+       at + "45: /lights/0/radius: needs to be at least 0 and at most 1e+09 m, got -1"},
       {with_line("\"lights\": [{\"directional\": [0, 0, 0]}]"),
        at + "30: /lights/0/directional: needs a direction that is not zero"},
   });

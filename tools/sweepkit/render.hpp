@@ -29,6 +29,8 @@ struct Render {
   std::string footprint = "auto";
   std::string antialias = "off";
   std::string accelerator = "auto";
+  std::string shadows = "smooth";
+  render::Adaptive adaptive;
   std::size_t texture_megabytes = texmap::kDefaultTextureMemory >> 20;
   int depth = -1;  // the scene's
   double exposure = 0;

@@ -84,6 +84,8 @@ scene::Plan make_plan(const Render& command, const scene::Document& document) {
                                 .filter = options.filter,
                                 .texture_memory = command.texture_megabytes << 20,
                                 .is_supersampled = options.supersampling > 1,
+                                .is_refined = options.adaptive.has_value(),
+                                .has_smooth_shadows = options.shadows == render::Shadows::kSmooth,
                                 .has_layers = !options.layers.empty(),
                                 .shows_texcoords = std::ranges::find(options.layers, render::Layer::kUv) !=
                                                    options.layers.end(),

@@ -71,7 +71,7 @@ void add_method_options(CLI::App& sub, Render& command) {
                  "How image textures are looked up; ewa is the elliptical average; auto is bilinear where a "
                  "texture is magnified and elsewhere ewa, from coarser copies the longer the footprint; "
                  "integral-1, -2 and -3 average one, two or three boxes convolved, by tables of sums: the "
-                 "paper's way")
+                 "paper's way; box is the mean under the pixel itself")
       ->capture_default_str()
       ->check(
           CLI::IsMember(std::vector<std::string>(texmap::kFilterNames.begin(), texmap::kFilterNames.end())));
@@ -83,9 +83,29 @@ void add_method_options(CLI::App& sub, Render& command) {
          "as all that they cover")
       ->capture_default_str()
       ->check(CLI::IsMember({"neighbours", "differentials", "auto"}));
-  sub.add_option("--antialias", command.antialias, "3x3: nine eye rays a pixel, weighted")
+  sub.add_option(
+         "--antialias", command.antialias,
+         "3x3: nine eye rays a pixel, weighted; adaptive: more rays only where a pixel differs from its "
+         "neighbours, averaged over the pixel, its textures too (--filter auto then is box)")
       ->capture_default_str()
-      ->check(CLI::IsMember({"off", "3x3"}));
+      ->check(CLI::IsMember({"off", "3x3", "adaptive"}));
+  sub.add_option(
+         "--antialias-contrast", command.adaptive.contrast,
+         "For adaptive: the difference from a neighbour, in linear light from 0 to 1, that asks for more "
+         "rays; it also says when they are enough")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1.0));
+  sub.add_option("--antialias-rays", command.adaptive.most_rays,
+                 "For adaptive: the most rays more in a pixel")
+      ->type_name("N")
+      ->capture_default_str()
+      ->check(CLI::Range(render::kFewestRefiningRays, render::kMostRefiningRays));
+  sub.add_option(
+         "--shadows", command.shadows,
+         "What a light without a radius throws: hard edges, or smooth ones, by averaging its shadow rays "
+         "over the neighbouring pixels")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"hard", "smooth"}));
   sub.add_option("--accelerator", command.accelerator,
                  "How the triangles that rays meet are found: seads, the paper's grids; sweep, boxes over "
                  "blocks of a "
@@ -128,7 +148,7 @@ void add_render_options(CLI::App& sub, Render& command) {
   add_quiet(sub, command.output);
   sub.footer(
       "Examples:\n"
-      "  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png --antialias 3x3\n"
+      "  sweepkit render samples/scenes/vase_and_cup.json -o vase_and_cup.png --antialias adaptive\n"
       "  sweepkit render --contour star:5,0.3,0.18 --trajectory line:0,0,0,0,1.5,0 --twist 120 -o "
       "column.png\n"
       "  sweepkit render samples/scenes/spring.json -o spring.exr --size 128x128 --alpha --aov "

@@ -30,6 +30,8 @@ void read_names(Render& command) {
                      "or leave it to auto");
   }
   options.supersampling = command.antialias == "3x3" ? 3 : 1;
+  if (command.antialias == "adaptive") options.adaptive = command.adaptive;
+  options.shadows = command.shadows == "hard" ? render::Shadows::kHard : render::Shadows::kSmooth;
   for (const std::string& name : command.layers) {
     for (std::size_t i = 0; i < render::kLayerCount; ++i) {
       const auto layer = static_cast<render::Layer>(i);

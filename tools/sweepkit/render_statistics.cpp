@@ -12,6 +12,8 @@ void RenderTotal::add(const render::Picture& picture) {
   const render::Statistics before = statistics;
   statistics = picture.statistics;
   statistics.eye_rays += before.eye_rays;
+  statistics.refined_pixels += before.refined_pixels;
+  statistics.refining_rays += before.refining_rays;
   statistics.reflected_rays += before.reflected_rays;
   statistics.refracted_rays += before.refracted_rays;
   statistics.shadow_rays += before.shadow_rays;
@@ -34,6 +36,8 @@ Report statistics_report(const RenderTotal& total, const Phases& phases, const s
   const render::Statistics& statistics = total.statistics;
   return {{{"pictures", total.pictures},
            {"eye_rays", statistics.eye_rays},
+           {"refined_pixels", statistics.refined_pixels},
+           {"refining_rays", statistics.refining_rays},
            {"reflected_rays", statistics.reflected_rays},
            {"refracted_rays", statistics.refracted_rays},
            {"shadow_rays", statistics.shadow_rays},

@@ -31,6 +31,28 @@ enum class Footprint {
           ///< a direction has none (silhouettes, thin things), by derivatives
 };
 
+/// How much of a light comes to a point.
+enum class Shadows {
+  kHard,    ///< all or nothing, by one shadow ray for a light without a radius
+  kSmooth,  ///< the same rays, averaged over the neighbouring pixels' on the same piece of surface
+};
+
+inline constexpr int kFewestRefiningRays = 4;
+inline constexpr int kMostRefiningRays = 256;
+
+/// More eye rays for the pixels that differ from a neighbour beside, above or below: in object, path, piece
+/// of surface, normal (26 degrees) or in what they see of a light, or by more than `contrast` in colour. Such
+/// a pixel is drawn by 4 rays, then by twice as many again and again, until another ray would lower its
+/// squared error by less than about (contrast / 12)^2. Its filter is a box of one pixel, and so is that of
+/// textures with Filter::kAuto, which then stands for kBox; those need no more rays and their contrast does
+/// not count.
+///
+/// What one ray a pixel misses altogether, a wire thinner than a pixel, is found only where it is hit.
+struct Adaptive {
+  double contrast = 0.03;  ///< in R, G or B, linear light; over 0
+  int most_rays = 64;      ///< in a pixel, besides its first; 4 to 256, counted down to a power of two
+};
+
 /// How the triangles that a ray meets are found.
 enum class Accelerator {
   kSeads,   ///< the paper's grids (3.3)
@@ -52,13 +74,15 @@ struct Region {
   int height = 0;
 };
 
-/// One eye ray a pixel; or a picture n times as large each way, shrunk. 3 takes the paper's weights (1/4 in
-/// the middle, 1/8 at the sides, 1/16 at the corners), any other n equal ones: 16 makes a reference under a
-/// box of one pixel.
+/// One eye ray a pixel, and more where they are asked for; or a picture n times as large each way, shrunk. 3
+/// takes the paper's weights (1/4 in the middle, 1/8 at the sides, 1/16 at the corners), any other n equal
+/// ones: 16 makes a reference under a box of one pixel.
 struct Options {
   Filter filter = Filter::kAuto;
   Footprint footprint = Footprint::kAuto;
-  int supersampling = 1;       ///< 1 to 64
+  int supersampling = 1;             ///< 1 to 64
+  std::optional<Adaptive> adaptive;  ///< only with a supersampling of 1
+  Shadows shadows = Shadows::kSmooth;
   std::optional<Region> crop;  ///< this part of the picture alone, the same bytes; inside it, not empty
   bool has_alpha = false;      ///< leave the background out and say what objects cover
   std::vector<Layer> layers;   ///< none twice
@@ -74,6 +98,8 @@ struct Cancelled {};
 
 struct Statistics {
   std::uint64_t eye_rays = 0;
+  std::uint64_t refined_pixels = 0;  ///< with more than one eye ray, by Options::adaptive
+  std::uint64_t refining_rays = 0;   ///< of the eye rays, those more
   std::uint64_t reflected_rays = 0;
   std::uint64_t refracted_rays = 0;
   std::uint64_t shadow_rays = 0;

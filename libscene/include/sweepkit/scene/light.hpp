@@ -11,6 +11,7 @@ namespace sweepkit::scene {
 struct PointLight {
   glm::dvec3 position{0.0};
   glm::vec3 intensity{1.0f};
+  double radius = 0;  ///< metres; over 0 a sphere, which throws soft shadows and is not seen itself
 };
 
 struct DirectionalLight {

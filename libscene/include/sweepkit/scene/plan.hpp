@@ -32,8 +32,10 @@ enum class Part {
   kShares,         ///< the mirrored and the refracted share kept at nodes, where they depend on the angle
   kShadows,        ///< shadow rays
   kDimmedShadows,  ///< shadow rays followed through what transmits
+  kShadowEdges,    ///< what they find averaged over the neighbouring pixels
   kEnvironment,    ///< a picture as background, looked up by direction
   kSupersampling,  ///< the larger picture that is shrunk
+  kRefinement,     ///< pixels compared with their neighbours and given more rays
   kLayers,         ///< depth, normals and the like beside the picture
   kObjectTree,     ///< the tree over the objects' boxes
 };
@@ -64,10 +66,12 @@ struct Request {
   texmap::Filter filter = texmap::Filter::kPoint;
   std::size_t texture_memory = texmap::kDefaultTextureMemory;  ///< bytes that a picture's textures may fill
   bool is_supersampled = false;
-  bool has_layers = false;        ///< something besides colours is told of each pixel
-  bool shows_texcoords = false;   ///< (u,v) is, of that
-  bool has_neighbours = true;     ///< footprints are made from the neighbouring pixels' hits
-  bool has_differentials = true;  ///< where there are none, or at all, from the rays' derivatives
+  bool is_refined = false;          ///< pixels that differ from their neighbours have more rays
+  bool has_smooth_shadows = false;  ///< shadow edges are averaged over the neighbours
+  bool has_layers = false;          ///< something besides colours is told of each pixel
+  bool shows_texcoords = false;     ///< (u,v) is, of that
+  bool has_neighbours = true;       ///< footprints are made from the neighbouring pixels' hits
+  bool has_differentials = true;    ///< where there are none, or at all, from the rays' derivatives
 };
 
 Plan plan(const Document& document, const Request& request);

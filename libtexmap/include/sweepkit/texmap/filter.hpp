@@ -7,8 +7,8 @@
 
 namespace sweepkit::texmap {
 
-/// How a texture is looked up under a pixel's footprint. All are meant for a pixel filter that is a tent of
-/// one pixel each way.
+/// How a texture is looked up under a pixel's footprint. All but kBox are meant for a pixel filter that is a
+/// tent of one pixel each way.
 enum class Filter {
   kPoint,      ///< the texel at the middle
   kBilinear,   ///< interpolated between the texels there
@@ -17,6 +17,7 @@ enum class Filter {
   kIntegral2,  ///< two boxes convolved, a tent, from a table of order 2 [Heckbert86]
   kIntegral3,  ///< three boxes convolved, from a table of order 3
   kEwa,        ///< the elliptical weighted average [Heckbert89]
+  kBox,        ///< the mean under the pixel itself: for a pixel filter that is a box of one pixel
   kAuto,       ///< bilinear where the texture is magnified; elsewhere the elliptical average, from coarser
                ///< levels the longer the footprint (docs/plane_filters.md)
 };
@@ -31,8 +32,8 @@ constexpr bool reads_table(Filter filter) {
 }
 
 /// Their names, in order: "point", "bilinear", ...
-inline constexpr std::array<std::string_view, 8> kFilterNames = {
-    "point", "bilinear", "trilinear", "integral-1", "integral-2", "integral-3", "ewa", "auto"};
+inline constexpr std::array<std::string_view, 9> kFilterNames = {
+    "point", "bilinear", "trilinear", "integral-1", "integral-2", "integral-3", "ewa", "box", "auto"};
 inline constexpr std::string_view filter_name(Filter filter) {
   return kFilterNames[static_cast<std::size_t>(filter)];
 }
