@@ -173,7 +173,7 @@ TEST(Statistics, OfFramesAreAddedUp) {
   const Workshop workshop;
   workshop.write("ball.json", scene_of(kBall));
   const Outcome run = workshop.sweepkit({"render", "ball.json", "-o", "p{frame}.png", "--size", "20x10",
-                                         "--stats", "p.json", "--frames", "1-3"});
+                                         "--stats", "p.json", "--frames", "1-3", "--shadows", "hard"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(workshop.read("p.json").find("\"pictures\": 3,\n  \"eye_rays\": 600,"), std::string::npos)
       << workshop.read("p.json");
