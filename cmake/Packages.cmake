@@ -32,3 +32,9 @@ foreach(folder IN LISTS folders)
   endif()
 endforeach()
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing}")
+
+# xxHash is used by its header alone, without a CMake package of its own.
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+add_library(xxhash::header INTERFACE IMPORTED)
+target_include_directories(xxhash::header SYSTEM INTERFACE ${XXHASH_INCLUDE_DIR})
+target_compile_definitions(xxhash::header INTERFACE XXH_INLINE_ALL)

@@ -5,12 +5,16 @@
 // each with its kind and size before it, so that no two scenes make the same bytes. What names a file is told
 // by the disk alone and not by a list of keys, which a new key would make wrong without anyone seeing.
 
+#include <xxhash.h>
+
+#include <array>
 #include <bit>
+#include <cstdio>
 #include <fstream>
+#include <memory>
 #include <set>
 
 #include "json_value.hpp"
-#include "sha256.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/document.hpp"
 
@@ -21,11 +25,15 @@ constexpr std::size_t kBlock = std::size_t{1} << 20;
 
 class ContentHash {
  public:
-  explicit ContentHash(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit ContentHash(std::filesystem::path folder)
+      : folder_(std::move(folder)), state_(XXH3_createState(), XXH3_freeState) {
+    if (!state_) throw std::bad_alloc();
+    XXH3_128bits_reset(state_.get());
+  }
 
   void add_text(std::string_view text) {
     add_number(text.size());
-    hash_.add(text);
+    add_bytes(text.data(), text.size());
   }
 
   void add(const JsonValue& value) {
@@ -33,13 +41,21 @@ class ContentHash {
     std::visit([this](const auto& data) { add_data(data); }, value.data);
   }
 
-  std::string digits() { return hash_.digits(); }
+  std::string digits() const {
+    const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());
+    std::array<char, 33> text{};
+    std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
+    return text.data();
+  }
 
  private:
+  void add_bytes(const void* bytes, std::size_t size) { XXH3_128bits_update(state_.get(), bytes, size); }
+
   void add_number(std::uint64_t number) {
     std::array<std::byte, 8> bytes;
     for (std::size_t i = 0; i < 8; ++i) bytes[i] = static_cast<std::byte>(number >> (8 * i));
-    hash_.add(bytes);
+    add_bytes(bytes.data(), bytes.size());
   }
 
   void add_data(std::nullptr_t) {}
@@ -73,7 +89,7 @@ class ContentHash {
     while (stream) {
       stream.read(block.data(), static_cast<std::streamsize>(block.size()));
       const auto count = static_cast<std::size_t>(stream.gcount());
-      hash_.add(std::string_view(block.data(), count));
+      add_bytes(block.data(), count);
       size += count;
     }
     if (!stream.eof()) throw InputError({.file = file.string()}, "cannot be read");
@@ -81,7 +97,7 @@ class ContentHash {
   }
 
   std::filesystem::path folder_;
-  Sha256 hash_;
+  std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_;
   std::set<std::string> files_;
 };
 

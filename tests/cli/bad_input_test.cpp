@@ -261,7 +261,8 @@ INSTANTIATE_TEST_SUITE_P(
              {"render", "scene.json", "-o", "out.png", "--threads", "0"}},
         Case{"UnknownFilter",
              kPlain,
-             "--filter: magic not in {point,bilinear,trilinear,integral-1,integral-2,integral-3,ewa,auto}; "
+             "--filter: magic not in "
+             "{point,bilinear,trilinear,integral-1,integral-2,integral-3,ewa,box,auto}; "
              "see sweepkit render "
              "--help",
              {"render", "scene.json", "-o", "out.png", "--filter", "magic"}},

@@ -96,7 +96,7 @@ scene::Plan make_plan(const Render& command, const scene::Document& document) {
 // Gives the jobs their marks, and takes those out whose files are there already with the same.
 void mark_jobs(const Render& command, RenderRequest& request, const scene::SceneFile& scene,
                PictureMark mark) {
-  mark.key = scene.content_hash(command.key_options).substr(0, 32);
+  mark.key = scene.content_hash(command.key_options);
   mark.tile = request.tile;
   mark.is_whole_marked = !command.frames.empty() || command.skips_existing;
   for (PictureJob& job : request.jobs) {
