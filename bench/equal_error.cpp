@@ -74,7 +74,8 @@ std::vector<Method> methods() {
   return all;
 }
 
-render::Picture draw(const scene::Document& document, const scene::Model& model, render::Options options) {
+render::Picture draw(const scene::Document& document, const scene::Model& model,
+                     const render::Options& options) {
   const scene::Plan plan =
       scene::plan(document, {.product = scene::Request::Product::kPicture,
                              .filter = options.filter,

@@ -77,7 +77,7 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
                   : adaptive_         ? KeptRows::kAbove
                                       : KeptRows::kOwn,
                   region_.x - reach - border, region_.x + region_.width + reach + border);
-  const auto width = static_cast<std::size_t>(region_.width + 2 * reach);
+  const auto width = static_cast<std::size_t>(region_.width) + 2 * static_cast<std::size_t>(reach);
   std::vector<glm::dvec4> colors(width);  // and coverage
   std::vector<TreeColor> trees(width);
   // How many eye rays each pixel's colour takes.

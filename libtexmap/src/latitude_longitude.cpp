@@ -64,11 +64,6 @@ ImageTexture over_sphere(const ImageTexture& picture) {
       std::make_shared<const SphereTexels>(picture.file ? picture.file : make_texel_source(picture.image))};
 }
 
-glm::ivec2 size_of(const ImageTexture& picture) {
-  return picture.file ? glm::ivec2(picture.file->width(), picture.file->height())
-                      : glm::ivec2(picture.image->width, picture.image->height);
-}
-
 Footprint over_sphere(const glm::dvec3& direction, const glm::dvec3& dx, const glm::dvec3& dy,
                       glm::dvec2 size) {
   constexpr double kTurn = 2 * std::numbers::pi;

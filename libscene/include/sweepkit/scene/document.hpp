@@ -150,9 +150,9 @@ class SceneFile {
   /// may ask at once. Throws InputError with file, line, column and JSON pointer.
   Document document(std::span<const Setting> settings = {}) const;
 
-  /// A hash (XXH3 of 128 bits, hexadecimal) of all that the scene says, of the bytes of the files that it names, and
-  /// of `more`. It is the same wherever the scene lies and however it is spaced. Throws InputError for a file
-  /// that cannot be read.
+  /// A hash (XXH3 of 128 bits, hexadecimal) of all that the scene says, of the bytes of the files that it
+  /// names, and of `more`. It is the same wherever the scene lies and however it is spaced. Throws InputError
+  /// for a file that cannot be read.
   std::string content_hash(std::string_view more) const;
 
   /// Throws InputError at `place` if set() with this pointer would find nothing to set.

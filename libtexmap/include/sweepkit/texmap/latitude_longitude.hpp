@@ -26,7 +26,4 @@ ImageTexture over_sphere(const ImageTexture& picture);
 Footprint over_sphere(const glm::dvec3& direction, const glm::dvec3& dx, const glm::dvec3& dy,
                       glm::dvec2 size);
 
-/// The picture's size in texels.
-glm::ivec2 size_of(const ImageTexture& picture);
-
 }  // namespace sweepkit::texmap
