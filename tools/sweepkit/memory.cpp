@@ -63,7 +63,9 @@ void look_at_groups(MemoryLeft& left) {
   }
 }
 
-void look_at_limit(MemoryLeft& left, __rlimit_resource resource, const char* used, const char* name) {
+// Under AddressSanitizer limits say nothing (memory_left).
+[[maybe_unused]] void look_at_limit(MemoryLeft& left, __rlimit_resource resource, const char* used,
+                                    const char* name) {
   rlimit limit{};
   if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
   const std::uint64_t bytes = minus(limit.rlim_cur, kilobytes_in("/proc/self/status", used).value_or(0));
