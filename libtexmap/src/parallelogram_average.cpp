@@ -104,34 +104,43 @@ void add_texels(const Texel* texel, int texel_step, int count, const Shape& shap
                 Float4& sum) {
   auto at_s = static_cast<float>(s);
   auto at_t = static_cast<float>(t);
+  Float4 row = {};  // rows first, then their sums: some hundred roundings instead of some ten thousand
   for (int i = 0; i < count; ++i, texel += texel_step) {
-    sum += shape.across.of(at_s) * shape.down.of(at_t) * to_float4(*texel);
+    row += shape.across.of(at_s) * shape.down.of(at_t) * to_float4(*texel);
     at_s += shape.across.step;
     at_t += shape.down.step;
   }
+  sum += row;
 }
 
-// The same by fours, for a row whose texels lie in one tile, the first at `offset`. Texels beside the
-// parallelogram weigh nothing, whatever they are; integers are never NaN.
+// The same by fours, for a row whose texels lie in one tile, the first at `offset`. What lies beside them in
+// the tile weighs nothing, whatever it is: an oblique parallelogram's weights go on past its bounding box,
+// where the span ends, and past the image's edge a tile holds no texels. Integers are never NaN.
 void add_fours(const IntegerTexel* row, int offset, int count, const Shape& shape, double s, double t,
-               Float4& even, Float4& odd) {
+               Float4& sum) {
   const int fours = (count + 3) / 4;
   const int first = std::min(offset, kTileSide - 4 * fours);  // none reaches past the row's end
   const IntegerTexel* texel = row + first;
-  constexpr Float4 kSteps{0, 1, 2, 3};
-  const auto back = static_cast<float>(first - offset);
-  Float4 at_s = static_cast<float>(s) + (kSteps + back) * shape.across.step;
-  Float4 at_t = static_cast<float>(t) + (kSteps + back) * shape.down.step;
+  Float4 index = Float4{0, 1, 2, 3} + static_cast<float>(first - offset);
+  const auto end = static_cast<float>(count);
+  Float4 at_s = static_cast<float>(s) + index * shape.across.step;
+  Float4 at_t = static_cast<float>(t) + index * shape.down.step;
+  Float4 even = {};
+  Float4 odd = {};
   for (int i = 0; i < fours; ++i) {
-    const Float4 w = shape.across.of(at_s) * shape.down.of(at_t);
+    Float4 w = shape.across.of(at_s) * shape.down.of(at_t);
+    w = index >= 0 ? w : Float4{};
+    w = index < end ? w : Float4{};
     even += __builtin_shufflevector(w, w, 0, 0, 0, 0) * to_float4(texel[0]);
     odd += __builtin_shufflevector(w, w, 1, 1, 1, 1) * to_float4(texel[1]);
     even += __builtin_shufflevector(w, w, 2, 2, 2, 2) * to_float4(texel[2]);
     odd += __builtin_shufflevector(w, w, 3, 3, 3, 3) * to_float4(texel[3]);
+    index += 4;
     at_s += 4 * shape.across.step;
     at_t += 4 * shape.down.step;
     texel += 4;
   }
+  sum += even + odd;
 }
 
 template <class Texel>
@@ -146,7 +155,6 @@ Float4 weighed_sum(const Pyramid& pyramid, int level, Wrap wrap, const Shape& sh
   cut_into_runs(first_row, last_row, size.height, wrap, scratch.rows);
   cut_into_runs(first_column, last_column, size.width, wrap, scratch.columns);
   Float4 sum = {};
-  Float4 odd = {};
   for (const AxisRun& rows : scratch.rows) {
     for (const AxisRun& columns : scratch.columns) {
       const Texel* tile = pyramid.tile<Texel>(scratch.tiles, level, columns.tile, rows.tile);
@@ -159,7 +167,7 @@ Float4 weighed_sum(const Pyramid& pyramid, int level, Wrap wrap, const Shape& sh
         if constexpr (std::is_same_v<Texel, IntegerTexel>) {
           if (columns.step == 1 && first == span.first && last == span.last) {
             add_fours(row, columns.offset + first - columns.first, last - first + 1, shape, span.s, span.t,
-                      sum, odd);
+                      sum);
             continue;
           }
         }
@@ -170,7 +178,7 @@ Float4 weighed_sum(const Pyramid& pyramid, int level, Wrap wrap, const Shape& sh
       }
     }
   }
-  return sum + odd;
+  return sum;
 }
 
 int floor_of_quotient(int n, int by) {

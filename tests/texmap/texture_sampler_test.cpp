@@ -149,9 +149,11 @@ TEST(Samplers, KeepAConstantTextureConstantForEveryFootprint) {
           TileCache cache;
           FilterThread thread(cache);
           const TextureSampler sampler({image, wrap}, static_cast<Filter>(filter), cache, 0);
-          for (int n = 0; n < 100; ++n) {
+          for (int n = 0; n < 1000; ++n) {
             const auto vector = [&] {
-              return std::pow(10, real(-9, 4)) * glm::dvec2(real(-1, 1), real(-1, 1));
+              const double size = std::pow(10, real(-9, 4));  // by itself: arguments come in any order
+              const double u = real(-1, 1);
+              return size * glm::dvec2(u, real(-1, 1));
             };
             const Footprint f{{real(-5, 5), real(-5, 5)}, vector(), vector()};
             // Sums of some thousand terms in float32.
