@@ -87,6 +87,8 @@ Timed run_ours(const scene::Document& document, const scene::Model& model, const
       scene::plan(document, {.product = scene::Request::Product::kPicture,
                              .filter = options.filter,
                              .is_supersampled = options.supersampling > 1,
+                             .is_refined = options.adaptive.has_value(),
+                             .has_smooth_shadows = options.shadows == render::Shadows::kSmooth,
                              .has_differentials = options.footprint != render::Footprint::kNeighbours});
   render::Picture picture = render::render(model.scene, plan, options);
   return {std::move(picture.image), picture.statistics.build_seconds + picture.statistics.picture_seconds};
@@ -203,10 +205,15 @@ int main(int argc, char** argv) {
 
     const std::vector<Way> ways = {
         {"povray off", "-A", {}},
-        {"povray adaptive (+A0.1 +AM1 +R3)", "+A0.1 +AM1 +R3 -J", {}},
-        {"povray uniform (+A0.0 +AM1 +R3)", "+A0.0 +AM1 +R3 -J", {}},
+        {"povray adaptive (+A0.1 +AM1 +R3)", "+A0.1 +AM1 +R3", {}},
+        {"povray adaptive (+A0.1 +AM1 +R3 -J)", "+A0.1 +AM1 +R3 -J", {}},
+        {"povray uniform (+A0.0 +AM1 +R3 -J)", "+A0.0 +AM1 +R3 -J", {}},
         {"sweepkit point", "", {.filter = render::Filter::kPoint, .threads = kThreads}},
         {"sweepkit off", "", {.threads = kThreads}},
+        {"sweepkit adaptive 0.24", "", {.adaptive = render::Adaptive{.contrast = 0.24}, .threads = kThreads}},
+        {"sweepkit adaptive 0.12", "", {.adaptive = render::Adaptive{.contrast = 0.12}, .threads = kThreads}},
+        {"sweepkit adaptive 0.06", "", {.adaptive = render::Adaptive{.contrast = 0.06}, .threads = kThreads}},
+        {"sweepkit adaptive 0.03", "", {.adaptive = render::Adaptive{}, .threads = kThreads}},
         {"sweepkit 2x2", "", {.supersampling = 2, .threads = kThreads}},
         {"sweepkit 3x3", "", {.supersampling = 3, .threads = kThreads}},
     };

@@ -157,6 +157,7 @@ void TreeBuilder::build(TreeRow& row, const EyeRays& eye_rays, RayCounts& counts
   row.shares.clear();
   row.visibility.clear();
   row.visibility.channels = scene_.has_dimmed_shadows ? 3 : 1;
+  row.visibility.lights = scene_.lights.size();
   std::vector<Pending> pending;
   std::array<Ray, kPacket> rays;
   std::array<Hit, kPacket> hits;

@@ -41,6 +41,16 @@ Box to_world(const Box& local, const glm::dmat4x3& world_from_mesh) {
   return world;
 }
 
+bool is_flat(const scene::MeshView& mesh) {
+  for (glm::length_t axis = 0; axis < 3; ++axis) {
+    if (std::ranges::all_of(mesh.positions, [&](const glm::vec3& position) {
+          return position[axis] == mesh.positions[0][axis];
+        }))
+      return true;
+  }
+  return false;
+}
+
 double largest(const glm::dvec3& vector) {
   const glm::dvec3 size = glm::abs(vector);
   return std::max({size.x, size.y, size.z});
@@ -80,6 +90,7 @@ Tracer::Tracer(const scene::Scene& scene, bool has_object_tree, Accelerator acce
           *object.mesh, accelerator == Accelerator::kAuto ? choose_accelerator(*object.mesh) : accelerator);
     }
     object.accelerator = shared.get();
+    object.is_flat = is_flat(*object.mesh);
     objects_.push_back(object);
   }
   if (!has_object_tree_) return;
@@ -111,7 +122,7 @@ Hit Tracer::nearest(const Ray& ray) const {
   Hit best;
   const auto look_in = [&](std::uint32_t index) {
     const TracedObject& object = objects_[index];
-    if (object.accelerator != nullptr)
+    if (object.can_be_met_by(ray, index))
       object.accelerator->find_nearest(to_mesh_space(object, ray), index, best);
     return false;
   };
@@ -154,7 +165,7 @@ void Tracer::nearest(std::span<const Ray> rays, std::span<Hit> hits) const {
 bool Tracer::is_blocked(const Ray& ray, double end) const {
   const auto blocks = [&](std::uint32_t index) {
     const TracedObject& object = objects_[index];
-    return object.accelerator != nullptr &&
+    return object.can_be_met_by(ray, index) &&
            object.accelerator->is_blocked(to_mesh_space(object, ray), index, end);
   };
   if (!has_object_tree_) {

@@ -23,6 +23,15 @@ struct TracedObject {
   glm::dmat4x3 mesh_from_world;
   glm::dmat3 normal_to_world;          ///< transposed inverse, for normals
   const MeshAccelerator* accelerator;  ///< none where the mesh has no triangle; objects of one mesh share it
+  /// All positions have one coordinate in common. Then a ray that leaves one of its triangles for good leaves
+  /// them all.
+  bool is_flat = false;
+
+  /// May a ray meet it at all?
+  bool can_be_met_by(const Ray& ray, std::uint32_t own_index) const {
+    return accelerator != nullptr &&
+           !(is_flat && ray.from_object == own_index && ray.from_triangle != kNone);
+  }
 };
 
 /// Finds what rays meet: among the objects by a tree over their boxes, where there are several, and in each

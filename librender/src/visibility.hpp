@@ -29,6 +29,7 @@ ToLight towards(const scene::Light& light, const glm::dvec3& from);
 struct Visibility {
   /// Numbers a share has: 1, or 3 (RGB) where something on the way may let light of a colour through.
   std::size_t channels = 1;
+  std::size_t lights = 1;
   std::vector<LitPoint> points;  ///< by node
   /// By node, light and channel: the share of the light that comes, 0 to 1; kTurnedAway where the node is
   /// turned away from the light and no ray was traced.

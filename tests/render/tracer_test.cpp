@@ -71,6 +71,28 @@ TEST(Tracer, GridsFindTheSameHitsAsALinearScanToTheBit) {
   EXPECT_GT(hits, 5000);
 }
 
+// Two triangles in the plane y = 0, seen from above.
+const char* const kSheet = R"({"sweepkit": 1, "objects": [
+  {"name": "sheet", "plane": {"size": [2, 2]}, "rotate_deg": [0, 30, 0], "translate": [0, 0.7, 0]}]})";
+
+TEST(Tracer, ARayThatLeavesAFlatObjectForGoodLeavesAllOfIt) {
+  const test::Stage stage(kSheet);
+  for (const Accelerator accelerator : {Accelerator::kSeads, Accelerator::kSweep, Accelerator::kLinear}) {
+    const Tracer tracer(stage.model.scene, false, accelerator);
+    const Ray down{{0.1, 2, 0.2}, {0.01, -1, 0.02}};
+    const Hit hit = tracer.nearest(down);
+    ASSERT_TRUE(hit.is_hit());
+    // From just above the sheet down through it: rounding may put the start of a ray that leaves it there.
+    const Ray leaving{{0.1, 0.7 + 1e-16, 0.2}, {0.3, -1e-18, 0.1}, hit.object, hit.triangle};
+    EXPECT_FALSE(tracer.nearest(leaving).is_hit());
+    EXPECT_FALSE(tracer.is_blocked(leaving, 9));
+    // One that leaves no triangle for good, to a light that only a shading normal sees, is blocked by it.
+    const Ray through{{0.1, 0.8, 0.2}, {0.01, -1, 0.02}, hit.object};
+    EXPECT_EQ(tracer.nearest(through).object, hit.object);
+    EXPECT_TRUE(tracer.is_blocked(through, 9));
+  }
+}
+
 // Of very unlike sizes, turned, flattened, mirrored, on top of each other.
 const char* const kInstances = R"({"sweepkit": 1, "objects": [
   {"name": "floor", "plane": {"size": [30, 30]}},
