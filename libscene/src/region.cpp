@@ -30,8 +30,8 @@ constexpr std::size_t kFewSamples = 8;  // elsewhere than at the middles: long e
 // middles of a pentagram's edges, say, have the region on both.
 constexpr std::array<double, 7> kAlong = {0.5, 0.1, 0.9, 0.3, 0.7, 0.01, 0.99};
 
-// So many edges are looked at in some two seconds.
-constexpr std::size_t kMostWork = 1'000'000'000;
+// So many edges are looked at in about a second.
+constexpr std::size_t kMostWork = 400'000'000;
 
 Polygon flattened(const sweep::Curve2& curve) {
   Polygon points;
