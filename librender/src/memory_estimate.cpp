@@ -15,19 +15,22 @@ constexpr std::uint64_t kBytesAPixel = 3 * (4 + 2 + 2);
 
 }  // namespace
 
-// A grid of 8 voxels a triangle:
-// 4 bytes a voxel, and the triangle stands in about 3 of them, twice, with its count. Embree: measured.
+// Triangles that are counted before they are made are those of sweeps, which kAuto searches by kSweep. A grid
+// of 8 voxels a triangle: 4 bytes a voxel, and the triangle stands in about 3 of them, twice, with its count.
+// Embree: measured.
 std::uint64_t bytes_a_triangle(Accelerator accelerator) {
   switch (accelerator) {
     case Accelerator::kLinear:
       return 0;
-    case Accelerator::kSweep:
-      return 4;
+    case Accelerator::kSeads:
+      return 8 * 4 + 3 * 2 * 4 + 4;
     case Accelerator::kEmbree:
       return 90;
-    default:
-      return 8 * 4 + 3 * 2 * 4 + 4;
+    case Accelerator::kSweep:
+    case Accelerator::kAuto:
+      return 4;
   }
+  return 0;
 }
 
 std::uint64_t estimate_memory(const scene::MemoryEstimate& scene, int width, int height,

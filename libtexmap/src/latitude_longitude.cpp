@@ -74,7 +74,7 @@ Footprint over_sphere(const glm::dvec3& direction, const glm::dvec3& dx, const g
     // At a pole itself every way leads down a meridian.
     if (!(h > 0)) return glm::dvec2(0, -std::copysign(glm::length(turn), d.y)) / kTurn;
     const double dh = (d.x * turn.x + d.z * turn.z) / h;
-    return glm::dvec2((d.x * turn.z - d.z * turn.x) / (h * h), h * turn.y - d.y * dh) / kTurn;
+    return glm::dvec2((d.x * turn.z - d.z * turn.x) / h / h, h * turn.y - d.y * dh) / kTurn;
   };
   Footprint footprint{
       {0.5 + std::atan2(d.x, -d.z) / kTurn, 0.75 + std::atan2(d.y, h) / kTurn}, step(dx), step(dy)};

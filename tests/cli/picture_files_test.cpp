@@ -185,5 +185,32 @@ TEST_F(PictureFile, OfLightBeyondHalfsHasNeitherNanNorInfinity) {
   for (const float value : read("a.exr").samples) EXPECT_TRUE(std::isfinite(value));
 }
 
+// Light beyond 1 keeps its size from one file to the other.
+TEST_F(PictureFile, OfAFloatBackgroundHasItsLightBeyondOne) {
+  std::vector<float> sky;
+  for (int i = 0; i < 16 * 8; ++i) sky.insert(sky.end(), {0.25f, 1, 40});
+  const auto output = OIIO::ImageOutput::create((workshop_.folder() / "sky.exr").string());
+  ASSERT_TRUE(output != nullptr);
+  ASSERT_TRUE(output->open((workshop_.folder() / "sky.exr").string(), {16, 8, 3, OIIO::TypeDesc::FLOAT}));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, sky.data()));
+  output->close();
+  std::string scene = kCard;
+  const std::string plain = "[0.5, 0.25, 0.125]";
+  scene.replace(scene.find(plain), plain.size(), R"({"image": "sky.exr"})");
+  workshop_.write("scene.json", scene);
+  draw("a.exr", {"--bits", "32"});
+  const Picture picture = read("a.exr");
+  // In the corner no card is seen. Float tiles are sums of texels in float32: a few roundings of each
+  // channel.
+  EXPECT_NEAR(picture.at(0, 0, "R"), 0.25, 0.25 * 1e-6);
+  EXPECT_NEAR(picture.at(0, 0, "G"), 1, 1e-6);
+  EXPECT_NEAR(picture.at(0, 0, "B"), 40, 40 * 1e-6);
+  EXPECT_NEAR(picture.at(20, 15, "G"), 0.5, 1e-6);
+  const Outcome info = workshop_.sweepkit({"info", "scene.json"});
+  EXPECT_EQ(info.status, 0) << info.err;
+  EXPECT_NE(info.out.find("background"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("sky.exr"), std::string::npos) << info.out;
+}
+
 }  // namespace
 }  // namespace sweepkit::test

@@ -99,9 +99,11 @@ TEST_P(ScaledPicture, IsTheSameButForAFewPixelsAtOtherScales) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Accelerators, ScaledPicture,
-                         testing::Values(Case{Accelerator::kSeads, 512}, Case{Accelerator::kLinear, 96}),
+                         testing::Values(Case{Accelerator::kSeads, 512}, Case{Accelerator::kSweep, 512},
+                                         Case{Accelerator::kLinear, 96}),
                          [](const auto& test) {
-                           return test.param.accelerator == Accelerator::kSeads ? "Seads" : "Linear";
+                           return std::string(
+                               kAcceleratorNames[static_cast<std::size_t>(test.param.accelerator)]);
                          });
 
 }  // namespace

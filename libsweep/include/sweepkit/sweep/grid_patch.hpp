@@ -16,7 +16,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// row 0. Cell (i, j) has the corners p = vertex(i, j), q = vertex(i+1, j), r = vertex(i, j+1), s =
 /// vertex(i+1, j+1) and the triangles (r, p, q) and (q, s, r). A pole row holds one vertex a column, each
 /// with the u of its triangle's right angle, and its cells one triangle: (q, s, r) at the first row, (r, p,
-/// q) at the last.
+/// q) at the last. A mirrored copy (append() with a placement that mirrors) has A and C of every triangle
+/// exchanged: (q, p, r) and (r, s, q).
 struct GridPatch {
   std::uint32_t first_vertex = 0;
   std::uint32_t first_triangle = 0;
