@@ -169,6 +169,10 @@ BandCounts paint_bands(const BandPainter& painter, texmap::Image& image, const O
   std::mutex progress;
   int done = 0;
 
+  // More threads than the machine has must be allowed first, or TBB prints a warning and takes fewer.
+  std::optional<tbb::global_control> allowed;
+  if (options.threads > 0)
+    allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& range) {

@@ -35,11 +35,13 @@ std::string mixed_scene() {
 })";
 }
 
-std::map<std::string, std::string> files_made(const std::vector<std::string>& arguments) {
+std::map<std::string, std::string> files_made(std::vector<std::string> arguments) {
   const Workshop workshop;
   workshop.write("scene.json", mixed_scene());
+  arguments.emplace_back("--quiet");
   const Outcome run = workshop.sweepkit(arguments);
-  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "") << "nor do the libraries that it stands on say a word";
   std::map<std::string, std::string> files = workshop.contents();
   files.erase("scene.json");
   return files;
