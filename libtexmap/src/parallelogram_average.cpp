@@ -35,6 +35,9 @@ struct Overlap {
   float reach;  // where it ends
   float whole;  // at the middle
   float step;   // of `at`, from a texel to the next of a row
+  double step_right;
+  double step_down;     // from a row to the next
+  double texels_right;  // 1 over the step to the right; no number where that is 0
 
   template <class Number>
   Number of(Number at) const {
@@ -46,16 +49,19 @@ struct Overlap {
 };
 
 struct Shape {
-  glm::dvec2 e;
-  glm::dvec2 f;
-  double det;
+  glm::dvec2 half;  // of its box, and half a texel
   Overlap across;
   Overlap down;
 };
 
-Overlap overlap_for(double texel, double step) {
-  return {static_cast<float>(0.5 * (1 + texel)), static_cast<float>(std::min(1.0, texel)),
-          static_cast<float>(step)};
+Overlap overlap_for(double step_right, double step_down) {
+  const double texel = std::abs(step_right) + std::abs(step_down);
+  return {static_cast<float>(0.5 * (1 + texel)),
+          static_cast<float>(std::min(1.0, texel)),
+          static_cast<float>(step_right),
+          step_right,
+          step_down,
+          1 / step_right};
 }
 
 // Texels first..last of a row, the left one `s` and `t` away.
@@ -67,15 +73,16 @@ struct RowSpan {
 };
 
 // x for which |at + x step| < reach.
-void narrow(double at, double step, double reach, double& low, double& high) {
-  if (step == 0) {
+void narrow(double at, const Overlap& overlap, double& low, double& high) {
+  const auto reach = static_cast<double>(overlap.reach);
+  if (overlap.step_right == 0) {
     if (std::abs(at) >= reach) high = low - 1;
     return;
   }
-  const double a = (-reach - at) / step;
-  const double b = (reach - at) / step;
-  low = std::max(low, std::min(a, b));
-  high = std::min(high, std::max(a, b));
+  const double middle = -at * overlap.texels_right;
+  const double half = reach * std::abs(overlap.texels_right);
+  low = std::max(low, middle - half);
+  high = std::min(high, middle + half);
 }
 
 // The texels of row `y` that may weigh something; `first` after `last` where there are none.
@@ -83,20 +90,17 @@ RowSpan span_of(const Shape& shape, const glm::dvec2& middle, int y) {
   // Of the texel at column 0.
   const double dx = 0.5 - middle.x;
   const double dy = y + 0.5 - middle.y;
-  const double s = (dx * shape.f.y - dy * shape.f.x) / shape.det;
-  const double t = (dy * shape.e.x - dx * shape.e.y) / shape.det;
-  const double sx = shape.f.y / shape.det;
-  const double tx = -shape.e.y / shape.det;
-  const double half = 0.5 * (std::abs(shape.e.x) + std::abs(shape.f.x) + 1);
-  double low = -dx - half;
-  double high = -dx + half;
-  narrow(s, sx, static_cast<double>(shape.across.reach), low, high);
-  narrow(t, tx, static_cast<double>(shape.down.reach), low, high);
+  const double s = dx * shape.across.step_right + dy * shape.across.step_down;
+  const double t = dx * shape.down.step_right + dy * shape.down.step_down;
+  double low = -dx - shape.half.x;
+  double high = -dx + shape.half.x;
+  narrow(s, shape.across, low, high);
+  narrow(t, shape.down, low, high);
   // Where nothing is left the ends may be farther off than integers reach.
   if (!(low <= high)) return {0, -1, 0, 0};
-  const int first = static_cast<int>(std::ceil(low));
-  const int last = static_cast<int>(std::floor(high));
-  return {first, last, s + first * sx, t + first * tx};
+  const int first = static_cast<int>(-whole(-low));
+  const int last = static_cast<int>(whole(high));
+  return {first, last, s + first * shape.across.step_right, t + first * shape.down.step_right};
 }
 
 template <class Texel>
@@ -143,21 +147,27 @@ void add_fours(const IntegerTexel* row, int offset, int count, const Shape& shap
   sum += even + odd;
 }
 
+constexpr int kTexelsALine = 64 / sizeof(IntegerTexel);  // of the cache
+
 template <class Texel>
 Float4 weighed_sum(const Pyramid& pyramid, int level, Wrap wrap, const Shape& shape, const glm::dvec2& middle,
                    FilterScratch& scratch) {
   const Pyramid::Level& size = pyramid.level(level);
-  const glm::dvec2 half = 0.5 * (glm::abs(shape.e) + glm::abs(shape.f) + 1.0);
-  const auto first_column = static_cast<int>(std::floor(middle.x - half.x));
-  const auto last_column = static_cast<int>(std::floor(middle.x + half.x));
-  const auto first_row = static_cast<int>(std::floor(middle.y - half.y));
-  const auto last_row = static_cast<int>(std::floor(middle.y + half.y));
+  const auto first_column = static_cast<int>(whole(middle.x - shape.half.x));
+  const auto last_column = static_cast<int>(whole(middle.x + shape.half.x));
+  const auto first_row = static_cast<int>(whole(middle.y - shape.half.y));
+  const auto last_row = static_cast<int>(whole(middle.y + shape.half.y));
   cut_into_runs(first_row, last_row, size.height, wrap, scratch.rows);
   cut_into_runs(first_column, last_column, size.width, wrap, scratch.columns);
   Float4 sum = {};
   for (const AxisRun& rows : scratch.rows) {
     for (const AxisRun& columns : scratch.columns) {
       const Texel* tile = pyramid.tile<Texel>(scratch.tiles, level, columns.tile, rows.tile);
+      // All rows are asked for before the first is waited for.
+      for (int k = 0; k < rows.count; ++k) {
+        const Texel* row = tile + (rows.offset + k * rows.step) * kTileSide + columns.offset;
+        for (int i = 0; i < columns.count; i += kTexelsALine) __builtin_prefetch(row + i);
+      }
       for (int k = 0; k < rows.count; ++k) {
         const RowSpan span = span_of(shape, middle, rows.first + k);
         const int first = std::max(span.first, columns.first);
@@ -172,9 +182,8 @@ Float4 weighed_sum(const Pyramid& pyramid, int level, Wrap wrap, const Shape& sh
           }
         }
         add_texels(row + columns.offset + (first - columns.first) * columns.step, columns.step,
-                   last - first + 1, shape,
-                   span.s + (first - span.first) * static_cast<double>(shape.across.step),
-                   span.t + (first - span.first) * static_cast<double>(shape.down.step), sum);
+                   last - first + 1, shape, span.s + (first - span.first) * shape.across.step_right,
+                   span.t + (first - span.first) * shape.down.step_right, sum);
       }
     }
   }
@@ -190,9 +199,8 @@ template <class Texel>
 Float4 sum_of_parts(const Pyramid& pyramid, Wrap wrap, const glm::ivec2& parts, const Shape& shape,
                     const glm::dvec2& middle, FilterScratch& scratch) {
   const Pyramid::Level& size = pyramid.level(0);
-  const double half_height = 0.5 * (std::abs(shape.e.y) + std::abs(shape.f.y) + 1);
-  const auto first_row = static_cast<int>(std::floor(middle.y - half_height));
-  const auto last_row = static_cast<int>(std::floor(middle.y + half_height));
+  const auto first_row = static_cast<int>(whole(middle.y - shape.half.y));
+  const auto last_row = static_cast<int>(whole(middle.y + shape.half.y));
   Float4 sum = {};
   for (int y = first_row; y <= last_row; ++y) {
     const RowSpan span = span_of(shape, middle, y);
@@ -215,9 +223,8 @@ Float4 sum_of_parts(const Pyramid& pyramid, Wrap wrap, const glm::ivec2& parts, 
 
 Shape shape_of(const glm::dvec2& e, const glm::dvec2& f) {
   const double det = e.x * f.y - e.y * f.x;
-  const double size = std::abs(det);
-  return {e, f, det, overlap_for((std::abs(f.x) + std::abs(f.y)) / size, f.y / det),
-          overlap_for((std::abs(e.x) + std::abs(e.y)) / size, -e.y / det)};
+  return {0.5 * (glm::abs(e) + glm::abs(f) + 1.0), overlap_for(f.y / det, -f.x / det),
+          overlap_for(-e.y / det, e.x / det)};
 }
 
 }  // namespace
