@@ -42,13 +42,17 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-std::string json(const Value& value) {
+}  // namespace
+
+std::string json_value(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* number = std::get_if<double>(&value); number != nullptr && !std::isfinite(*number))
     return "null";
   return std::holds_alternative<std::monostate>(value) ? "null" : plain(value);
 }
+
+namespace {
 
 bool is_number(const Value& value) {
   return std::holds_alternative<std::uint64_t>(value) || std::holds_alternative<double>(value);
@@ -89,7 +93,7 @@ std::string table_text(const Table& table) {
 std::string json_record(const Record& record) {
   std::string out = "{";
   for (const auto& [name, value] : record) {
-    out += (out.size() > 1 ? ", " : "") + quoted(name) + ": " + json(value);
+    out += (out.size() > 1 ? ", " : "") + quoted(name) + ": " + json_value(value);
   }
   return out + "}";
 }
@@ -110,7 +114,7 @@ std::string to_text(const Report& report) {
 std::string to_json(const Report& report) {
   std::string out;
   for (const auto& [name, value] : report.facts) {
-    out += (out.empty() ? "" : ",\n") + ("  " + quoted(name)) + ": " + json(value);
+    out += (out.empty() ? "" : ",\n") + ("  " + quoted(name)) + ": " + json_value(value);
   }
   for (const Table& table : report.tables) {
     out += (out.empty() ? "" : ",\n") + ("  " + quoted(table.name)) + ": [";

@@ -29,6 +29,9 @@ struct Report {
 /// Facts a line, tables in columns, ending with a newline.
 std::string to_text(const Report& report);
 
+/// A value as JSON has it.
+std::string json_value(const Value& value);
+
 /// One JSON object: the facts, and an array of objects for each table.
 std::string to_json(const Report& report);
 
