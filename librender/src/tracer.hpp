@@ -29,8 +29,7 @@ struct TracedObject {
 
   /// May a ray meet it at all?
   bool can_be_met_by(const Ray& ray, std::uint32_t own_index) const {
-    return accelerator != nullptr &&
-           !(is_flat && ray.from_object == own_index && ray.from_triangle != kNone);
+    return accelerator != nullptr && !(is_flat && ray.from_object == own_index && ray.from_triangle != kNone);
   }
 };
 
