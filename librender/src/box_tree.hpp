@@ -77,6 +77,9 @@ struct Place {
 /// stay where they are.
 struct BoxTree {
   Box box;            ///< of all triangles
+  // The same for four lanes: the fourth axis is from -1 to 1.
+  alignas(32) std::array<double, 4> padded_low{};
+  alignas(32) std::array<double, 4> padded_high{};
   double reach = 0;   ///< the largest coordinate of it, up to sign
   double extent = 0;  ///< its width, height and depth together
   std::vector<BoxNode> nodes;

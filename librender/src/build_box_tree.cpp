@@ -259,6 +259,8 @@ BoxTree build_box_tree(const scene::MeshView& mesh) {
     tree.reach = std::max({tree.reach, std::abs(tree.box.low[axis]), std::abs(tree.box.high[axis])});
     tree.extent += tree.box.high[axis] - tree.box.low[axis];
   }
+  tree.padded_low = {tree.box.low.x, tree.box.low.y, tree.box.low.z, -1};
+  tree.padded_high = {tree.box.high.x, tree.box.high.y, tree.box.high.z, 1};
   add_loose(tree, mesh);
   add_roots(tree);
   return tree;

@@ -58,6 +58,17 @@ HWY_INLINE Lanes gather(const float* HWY_RESTRICT base, const std::int32_t* HWY_
   return out;
 }
 
+/// `value` in that lane.
+HWY_INLINE Lanes with_lane(Lanes lanes, std::uint32_t lane, float value) {
+  const hn::RebindToSigned<FloatTag> integers;
+  for (std::size_t k = 0; k < kParts; ++k) {
+    const auto index = hn::Iota(integers, static_cast<std::int32_t>(k * kPartLanes));
+    const auto is_it = hn::RebindMask(FloatTag(), hn::Eq(index, hn::Set(integers, static_cast<std::int32_t>(lane))));
+    lanes.part[k] = hn::IfThenElse(is_it, hn::Set(FloatTag(), value), lanes.part[k]);
+  }
+  return lanes;
+}
+
 HWY_INLINE Lanes operator-(const Lanes& a, const Lanes& b) {
   Lanes out;
   for (std::size_t k = 0; k < kParts; ++k) out.part[k] = hn::Sub(a.part[k], b.part[k]);

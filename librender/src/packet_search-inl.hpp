@@ -244,7 +244,8 @@ struct PacketVisitor {
     }
     NearestSearch search{best[i]};
     if (!test(view, rays[i], *ray, triangle, search)) return false;
-    packet.limits[i] = packet.limit(i, best[i].t);
+    // All of them stored again: a load across a store of one would wait for it to reach the cache.
+    store(with_lane(load(packet.limits), i, packet.limit(i, best[i].t)), packet.limits);
     return true;
   }
 };

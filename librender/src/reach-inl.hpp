@@ -47,8 +47,18 @@ HWY_INLINE Axes load_axes(const double* from) {
   return axes_of([&](std::size_t k) HWY_ATTR { return hn::LoadU(DoubleTag(), from + k * kAxisLanes); });
 }
 
-HWY_INLINE void store_axes(const Axes& axes, double* to) {
-  for (std::size_t k = 0; k < kAxisParts; ++k) hn::StoreU(axes.part[k], DoubleTag(), to + k * kAxisLanes);
+/// Number by number: rays have just been written so, and a load across several such stores waits for them all
+/// to reach the cache.
+HWY_INLINE Axes gather_axes(const double* from, double fourth) {
+#if HWY_MAX_BYTES >= 32
+  const hn::Half<DoubleTag> half;
+  const auto low = hn::InterleaveLower(half, hn::Set(half, from[0]), hn::Set(half, from[1]));
+  const auto high = hn::InterleaveLower(half, hn::Set(half, from[2]), hn::Set(half, fourth));
+  return {{hn::Combine(DoubleTag(), high, low)}};
+#else
+  alignas(32) const double stored[4] = {from[0], from[1], from[2], fourth};
+  return load_axes(stored);
+#endif
 }
 
 HWY_INLINE Reach reach(const Ray& ray, const BoxTree& tree, CullingRay& out) {
@@ -65,21 +75,15 @@ HWY_INLINE Reach reach(const Ray& ray, const BoxTree& tree, CullingRay& out) {
   const double double_error = 0x1p-46 * (farthest + tree.reach);
   const auto margin = hn::Set(tag, double_error + 2 * kFloatRounding * tree.reach);
   // The fourth component lies inside of a box of its own and keeps still.
-  alignas(32) const double padded[4][4] = {{o[0], o[1], o[2], 0},
-                                           {d[0], d[1], d[2], 0},
-                                           {tree.box.low.x, tree.box.low.y, tree.box.low.z, -1},
-                                           {tree.box.high.x, tree.box.high.y, tree.box.high.z, 1}};
-  const Axes origin = load_axes(padded[0]);
-  const auto scale = hn::Set(tag, 1 / largest);
-  const Axes given = load_axes(padded[1]);
-  const Axes direction = axes_of([&](std::size_t k) HWY_ATTR { return hn::Mul(given.part[k], scale); });
+  const Axes origin = gather_axes(o, 0);
+  const Axes given = gather_axes(d, 0);
   // A direction along the box's faces is turned by so little that it moves nothing by double_error.
   const Axes inverse = axes_of([&](std::size_t k) HWY_ATTR {
-    const auto size = hn::Max(hn::Abs(direction.part[k]), hn::Set(tag, 0x1p-56));
-    return hn::Div(hn::Set(tag, 1), hn::CopySign(size, direction.part[k]));
+    const auto size = hn::Max(hn::Abs(given.part[k]), hn::Set(tag, 0x1p-56 * largest));
+    return hn::Div(hn::Set(tag, largest), hn::CopySign(size, given.part[k]));
   });
-  const Axes low = load_axes(padded[2]);
-  const Axes high = load_axes(padded[3]);
+  const Axes low = load_axes(tree.padded_low.data());
+  const Axes high = load_axes(tree.padded_high.data());
   alignas(32) double near[4];
   alignas(32) double far[4];
   for (std::size_t k = 0; k < kAxisParts; ++k) {
@@ -92,6 +96,8 @@ HWY_INLINE Reach reach(const Ray& ray, const BoxTree& tree, CullingRay& out) {
   const double leave = std::min(std::min(far[0], far[1]), far[2]);
   if (!(enter <= leave)) return Reach::kMisses;
 
+  const auto scale = hn::Set(tag, 1 / largest);
+  const Axes direction = axes_of([&](std::size_t k) HWY_ATTR { return hn::Mul(given.part[k], scale); });
   const double error = 4 * double_error;
   const double moved = 24 * kFloatRounding * tree.reach + error;
   alignas(32) double at[4];

@@ -211,9 +211,11 @@ HWY_INLINE void search_tree(const BoxTree& tree, Visitor& visitor) {
   std::size_t count = 0;
   float limit = visitor.limit();
 
-  // All roots first: they do not wait for each other.
   const auto top = static_cast<std::uint32_t>(tree.levels.size() - 1);
-  for (std::uint32_t x = 0; x < levels[top].columns; ++x) {
+  bool has_place = levels[top].columns == 1;
+  Place at{top, 0, 0};
+  // All roots first where there are several: they do not wait for each other.
+  for (std::uint32_t x = 0; !has_place && x < levels[top].columns; ++x) {
     Lanes enter;
     const std::uint32_t bits = visitor.passed_children(tree.nodes[levels[top].first_node + x], limit, enter);
     if (bits == 0) continue;
@@ -227,11 +229,14 @@ HWY_INLINE void search_tree(const BoxTree& tree, Visitor& visitor) {
     }
   }
   while (true) {
-    do {
-      if (count == 0) return;
-      --count;
-    } while (entry_of(waiting[count].key) > limit);
-    Place at = child_of(tree, waiting[count].parent, waiting[count].key);
+    if (!has_place) {
+      do {
+        if (count == 0) return;
+        --count;
+      } while (entry_of(waiting[count].key) > limit);
+      at = child_of(tree, waiting[count].parent, waiting[count].key);
+    }
+    has_place = false;
     // Down to a node of leaves, or to nothing.
     while (true) {
       const Level& level = levels[at.level];
