@@ -47,10 +47,6 @@ HWY_INLINE Axes load_axes(const double* from) {
   return axes_of([&](std::size_t k) HWY_ATTR { return hn::LoadU(DoubleTag(), from + k * kAxisLanes); });
 }
 
-HWY_INLINE void store_axes(const Axes& axes, double* to) {
-  for (std::size_t k = 0; k < kAxisParts; ++k) hn::StoreU(axes.part[k], DoubleTag(), to + k * kAxisLanes);
-}
-
 HWY_INLINE Reach reach(const Ray& ray, const BoxTree& tree, CullingRay& out) {
   const DoubleTag tag;
   const double* const o = glm::value_ptr(ray.origin);
