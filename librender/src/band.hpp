@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <optional>
-#include <vector>
 
 #include "intersection_tree.hpp"
 #include "layers.hpp"

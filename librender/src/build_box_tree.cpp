@@ -10,7 +10,6 @@
 #include "build_box_tree.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "block_shapes.hpp"
 #include "morton_order.hpp"

@@ -11,7 +11,6 @@
 #define SWEEPKIT_LEAF_VERTICES_INL
 #endif
 
-#include <array>
 #include <cstdint>
 
 #include "box_tree.hpp"

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "supersampling.hpp"
 
-#include <algorithm>
-
 namespace sweepkit::render {
 
 Shrinker::Shrinker(int n, int width) : n_(n), sums_(static_cast<std::size_t>(width), glm::dvec4(0.0)) {

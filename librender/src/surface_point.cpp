@@ -3,7 +3,6 @@
 #include "surface_point.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace sweepkit::render {

@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 namespace sweepkit::render {

@@ -360,7 +360,7 @@ std::string read_file(const std::string& file, FileImage& image) try {
   if (is_integer(spec.format)) return read_into(image.samples.emplace<std::vector<std::uint16_t>>());
   return read_into(image.samples.emplace<std::vector<float>>());
 } catch (const std::exception& error) {
-  return error.what();
+  return problem_of(error);
 }
 
 }  // namespace
