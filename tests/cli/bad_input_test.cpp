@@ -231,11 +231,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"NoCommand",
              "",
-             "needs a command (generate, render, assemble, bake, info, check); see sweepkit --help",
+             "needs a command (generate, render, assemble, bake, info, check, schema); see sweepkit --help",
              {}},
         Case{"UnknownCommand",
              "",
-             "needs a command (generate, render, assemble, bake, info, check), got \"draw\"; see sweepkit "
+             "needs a command (generate, render, assemble, bake, info, check, schema), got \"draw\"; see "
+             "sweepkit "
              "--help",
              {"draw", "scene.json"}},
         Case{"NoScene",

@@ -48,7 +48,7 @@ TEST_P(Help, HasExamplesThatWork) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheProgram, Help, testing::Values(""), [](const auto&) { return "itself"; });
 INSTANTIATE_TEST_SUITE_P(OfTheCommand, Help,
-                         testing::Values("generate", "render", "assemble", "bake", "info", "check"),
+                         testing::Values("generate", "render", "assemble", "bake", "info", "check", "schema"),
                          [](const auto& test) { return test.param; });
 
 TEST(Version, IsAWordAndANumber) {
