@@ -19,5 +19,7 @@ function(sweepkit_library name)
   set_target_properties(sweepkit_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(sweepkit_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
                                                      $<INSTALL_INTERFACE:include>)
+  target_compile_features(sweepkit_${name} PUBLIC cxx_std_20)
   target_link_libraries(sweepkit_${name} PRIVATE $<BUILD_INTERFACE:sweepkit::compile>)
+  sweepkit_install(${name})
 endfunction()

@@ -17,11 +17,9 @@ add_library(svgpp::svgpp INTERFACE IMPORTED)
 target_include_directories(svgpp::svgpp SYSTEM INTERFACE ${SVGPP_INCLUDE_DIR})
 target_link_libraries(svgpp::svgpp INTERFACE Boost::headers)
 
-# libcsv brings no package file of its own.
-find_path(CSV_INCLUDE_DIR csv.h REQUIRED)
-find_library(CSV_LIBRARY csv REQUIRED)
-add_library(CSV::csv UNKNOWN IMPORTED)
-set_target_properties(CSV::csv PROPERTIES IMPORTED_LOCATION "${CSV_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${CSV_INCLUDE_DIR}")
+# libcsv brings no package file of its own; who links the installed sweepkit::scene finds it by the same module.
+list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
+find_package(CSV REQUIRED)
 
 # Debian's OpenImageIO names an include folder (opencv4) that its packages do not bring: keep those that exist.
 get_target_property(folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

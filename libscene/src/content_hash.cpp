@@ -7,6 +7,7 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdio>
@@ -34,6 +35,18 @@ class ContentHash {
   void add_text(std::string_view text) {
     add_number(text.size());
     add_bytes(text.data(), text.size());
+  }
+
+  /// A scene: what it tells editors is no part of it.
+  void add_scene(const JsonValue& root) {
+    const auto* members = std::get_if<JsonValue::Object>(&root.data);
+    if (members == nullptr) return add(root);
+    const auto is_said = [](const JsonMember& member) { return member.key != "$schema"; };
+    add_number(root.data.index());
+    add_number(static_cast<std::uint64_t>(std::count_if(members->begin(), members->end(), is_said)));
+    for (const JsonMember& member : *members) {
+      if (is_said(member)) add_member(member);
+    }
   }
 
   void add(const JsonValue& value) {
@@ -71,10 +84,11 @@ class ContentHash {
   }
   void add_data(const JsonValue::Object& members) {
     add_number(members.size());
-    for (const JsonMember& member : members) {
-      add_text(member.key);
-      add(member.value);
-    }
+    for (const JsonMember& member : members) add_member(member);
+  }
+  void add_member(const JsonMember& member) {
+    add_text(member.key);
+    add(member.value);
   }
 
   // The bytes of the file of that name, once.
@@ -106,7 +120,7 @@ class ContentHash {
 std::string SceneFile::content_hash(std::string_view more) const {
   ContentHash hash(folder_);
   hash.add_text(more);
-  hash.add(json_->root);
+  hash.add_scene(json_->root);
   return hash.digits();
 }
 

@@ -53,6 +53,7 @@ Document read_document(const JsonDocument& json, const std::filesystem::path& fo
   const Node root(json.root, "");
   ObjectReader reader(root);
   Document document;
+  if (const auto schema = reader.find("$schema")) schema->text();  // for editors
   const Node version = reader.get("sweepkit");
   if (version.number() != 1)
     version.fail("this program reads version 1 of the scene format, got " + to_text(version.number()));

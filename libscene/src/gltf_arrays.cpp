@@ -4,6 +4,8 @@
 
 #include <string_view>
 
+#include "sweepkit/scene/bake_over.hpp"
+
 namespace sweepkit::scene {
 
 std::vector<std::uint16_t> short_indices(std::span<const sweep::Triangle> triangles) {
@@ -16,19 +18,7 @@ std::vector<std::uint16_t> short_indices(std::span<const sweep::Triangle> triang
 }
 
 std::vector<glm::vec2> gltf_texcoords(const MeshView& mesh, std::span<const texmap::UvTransform> transforms) {
-  std::vector<glm::vec2> texcoords(mesh.texcoords.begin(), mesh.texcoords.end());
-  const std::vector<std::uint32_t> ends = sheet_ends(mesh);
-  std::uint32_t first = 0;
-  for (std::size_t i = 0; i < transforms.size(); ++i) {
-    const auto& [scale, offset] = transforms[i];
-    // A vertex belongs to one area but to several triangles: each is taken from the mesh's own (u,v).
-    for (const sweep::Triangle& triangle : mesh.triangles.subspan(first, ends[i] - first)) {
-      for (const std::uint32_t vertex : triangle) {
-        texcoords[vertex] = glm::vec2(offset + scale * glm::dvec2(mesh.texcoords[vertex]));
-      }
-    }
-    first = ends[i];
-  }
+  std::vector<glm::vec2> texcoords = baked_texcoords(mesh, transforms);
   for (glm::vec2& uv : texcoords) uv.y = 1 - uv.y;
   return texcoords;
 }

@@ -10,14 +10,14 @@
 #include "sweepkit/scene/mesh_file.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <optional>
 #include <string>
 
 #include "cut_polygon.hpp"
 #include "polygon_list.hpp"
 #include "sweepkit/error.hpp"
 #include "text_file.hpp"
+#include "weld.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -31,48 +31,40 @@ std::string lower_extension(const std::filesystem::path& file) {
   return extension;
 }
 
-PolygonList read_polygons(std::string_view bytes, const std::filesystem::path& file) {
+std::optional<MeshFormat> find_format(const std::filesystem::path& file) {
   const std::string extension = lower_extension(file);
-  const std::string name = file.string();
-  if (extension == ".obj") return read_obj(bytes, name);
-  if (extension == ".ply") return read_ply(bytes, name);
-  if (extension == ".stl") return read_stl(bytes, name);
-  if (extension == ".off") return read_off(bytes, name);
-  throw InputError({.file = name},
-                   "is no mesh that is read: its name needs to end in .obj, .ply, .stl or .off");
+  if (extension == ".obj") return MeshFormat::kObj;
+  if (extension == ".ply") return MeshFormat::kPly;
+  if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".off") return MeshFormat::kOff;
+  return std::nullopt;
 }
 
-// Positions once each, in the order of their first index; `places` maps the file's indices to them. An open
-// hash table of indices, at most half full.
-std::vector<glm::dvec3> weld(std::span<const glm::dvec3> all, std::vector<std::uint32_t>& places) {
-  constexpr std::uint32_t kEmpty = 0xFFFFFFFF;
-  std::vector<glm::dvec3> once;
-  const std::size_t mask = std::bit_ceil(2 * all.size() + 2) - 1;
-  std::vector<std::uint32_t> table(mask + 1, kEmpty);
-  places.reserve(all.size());
-  for (const glm::dvec3& given : all) {
-    const glm::dvec3 p = given + 0.0;  // -0 and 0 are one place
-    std::uint64_t hash = 0;
-    for (glm::length_t k = 0; k < 3; ++k) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(p[k])) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 32;
-    }
-    std::size_t slot = hash & mask;
-    while (table[slot] != kEmpty && once[table[slot]] != p) slot = (slot + 1) & mask;
-    if (table[slot] == kEmpty) {
-      table[slot] = static_cast<std::uint32_t>(once.size());
-      once.push_back(p);
-    }
-    places.push_back(table[slot]);
+PolygonList read_polygons(std::string_view bytes, const std::filesystem::path& file) {
+  const std::string name = file.string();
+  switch (mesh_format(file)) {
+    case MeshFormat::kObj:
+      return read_obj(bytes, name);
+    case MeshFormat::kPly:
+      return read_ply(bytes, name);
+    case MeshFormat::kStl:
+      return read_stl(bytes, name);
+    default:
+      return read_off(bytes, name);
   }
-  return once;
 }
 
 }  // namespace
 
 bool is_mesh_name(const std::filesystem::path& file) {
-  const std::string extension = lower_extension(file);
-  return extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off";
+  return find_format(file).has_value();
+}
+
+MeshFormat mesh_format(const std::filesystem::path& file) {
+  const std::optional<MeshFormat> format = find_format(file);
+  if (format) return *format;
+  throw InputError({.file = file.string()},
+                   "is no mesh file: its name needs to end in .obj, .ply, .stl or .off");
 }
 
 MeshFile parse_mesh_file(std::string_view bytes, const std::filesystem::path& file) {
@@ -131,7 +123,7 @@ MeshFile parse_mesh_file(std::string_view bytes, const std::filesystem::path& fi
 }
 
 MeshFile read_mesh_file(const std::filesystem::path& file) {
-  if (!is_mesh_name(file)) read_polygons({}, file);  // refuses the name before a byte is read
+  mesh_format(file);  // refuses the name before a byte is read
   return parse_mesh_file(read_text_file(file, kLargestMesh, "a mesh file"), file);
 }
 

@@ -63,8 +63,10 @@ std::string_view part_name(Part part) {
 }
 
 Plan plan(const Document& document, const Request& request) {
-  const Usage usage = usage_of(document);
+  Usage usage = usage_of(document);
   const bool is_picture = request.product == Request::Product::kPicture;
+  const bool is_mesh_file = request.product == Request::Product::kMeshFile;
+  const bool can_hold_textures = !is_mesh_file || request.has_textures;
   const bool has_image = is_picture && usage.has_image;
   const bool has_tables = has_image && texmap::reads_table(request.filter);
   const bool is_filtered = usage.has_procedural ? request.filter != texmap::Filter::kPoint
@@ -82,16 +84,22 @@ Plan plan(const Document& document, const Request& request) {
 
   row(Part::kHalfEdges, request.has_half_edges,
       request.has_half_edges ? "someone walks them" : "nobody walks them");
-  const bool shows_uv = !is_picture || usage.reads_uv || request.shows_texcoords;
+  const bool shows_uv =
+      is_picture ? usage.reads_uv || request.shows_texcoords : !is_mesh_file || request.has_texcoords;
   row(Part::kLayouts, usage.has_mesh_file && shows_uv,
       !usage.has_mesh_file ? "no object is a mesh file"
       : shows_uv           ? "mesh files without (u,v) are laid out over the texture"
+      : is_mesh_file       ? "the file cannot hold (u,v)"
                            : "no texture reads (u,v)");
-  row(Part::kTextures, usage.has_texture,
-      usage.has_texture ? "materials in use have textures" : "no material in use has a texture");
-  if (request.product == Request::Product::kMeshFile) {
-    row(Part::kBakes, usage.has_procedural,
-        usage.has_procedural ? "the file cannot hold a procedural texture" : "no procedural texture is used");
+  row(Part::kTextures, usage.has_texture && can_hold_textures,
+      !usage.has_texture  ? "no material in use has a texture"
+      : can_hold_textures ? "materials in use have textures"
+                          : "the file cannot hold textures");
+  if (is_mesh_file) {
+    row(Part::kBakes, usage.has_procedural && can_hold_textures,
+        !usage.has_procedural ? "no procedural texture is used"
+        : can_hold_textures   ? "the file cannot hold a procedural texture"
+                              : "the file cannot hold textures");
   } else {
     const bool is_bake = request.product == Request::Product::kTexture;
     row(Part::kBakes, is_bake,
@@ -164,6 +172,7 @@ Plan plan(const Document& document, const Request& request) {
               has_several ? "there are several objects" : "there is one object");
 
   plan.texture_memory = request.texture_memory;
+  if (!can_hold_textures) usage.textures.assign(document.textures.size(), false);
   plan.textures = usage.textures;
   plan.sampled.assign(document.textures.size(), false);
   for (std::size_t i = 0; i < document.textures.size(); ++i) {

@@ -55,7 +55,10 @@ const ImageModule& load() {
   const std::filesystem::path folder = own_folder();
   for (const std::filesystem::path& candidate :
        {folder / kImageModuleFile, folder / "../lib/sweepkit" / kImageModuleFile,
-        folder / "sweepkit" / kImageModuleFile}) {
+        folder / "sweepkit" / kImageModuleFile,
+        // By its bare name: where this code's own run path leads, which is the place that the installed
+        // library has given to the program that links it.
+        std::filesystem::path(kImageModuleFile)}) {
     if (void* library = dlopen(candidate.c_str(), RTLD_NOW | RTLD_LOCAL)) {
       if (const void* table = dlsym(library, kImageModuleSymbol)) {
         is_loaded = true;

@@ -13,6 +13,10 @@ namespace {
 // The texel that coordinate t (0 to 1 over `size` texels) falls in.
 int texel_index(double t, int size, Wrap wrap) {
   if (wrap == Wrap::kRepeat) t -= std::floor(t);
+  if (wrap == Wrap::kMirror) {
+    t -= 2 * std::floor(t / 2);
+    if (t > 1) t = 2 - t;
+  }
   const double index = std::floor(t * size);
   // Rounding can reach `size` just below 1; NaN fails both comparisons and lands on 0.
   return index > 0 ? static_cast<int>(std::min(index, static_cast<double>(size - 1))) : 0;

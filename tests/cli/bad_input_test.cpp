@@ -192,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(
                          {"render", "scene.json", "-o", "none/out.png"}},
                     Case{"FolderForAFile",
                          kPlain,
-                         "folder.glb/: a model's name ends in .glb or .gltf",
+                         "folder.glb/: a model's name ends in .glb, .gltf, .obj, .ply, .stl or .off",
                          {"generate", "scene.json", "-o", "folder.glb/"}},
                     Case{"FolderForAPicture",
                          kPlain,
@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
                          1},
                     Case{"UnknownModelFormat",
                          kPlain,
-                         "out.fbx: a model's name ends in .glb or .gltf",
+                         "out.fbx: a model's name ends in .glb, .gltf, .obj, .ply, .stl or .off",
                          {"generate", "scene.json", "-o", "out.fbx"}},
                     Case{"UnknownPictureFormat",
                          kPlain,
@@ -231,11 +231,13 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"NoCommand",
              "",
-             "needs a command (generate, render, assemble, bake, info, check, view); see sweepkit --help",
+             "needs a command (generate, render, assemble, bake, info, check, view, schema); see sweepkit "
+             "--help",
              {}},
         Case{"UnknownCommand",
              "",
-             "needs a command (generate, render, assemble, bake, info, check, view), got \"draw\"; see "
+             "needs a command (generate, render, assemble, bake, info, check, view, schema), got \"draw\"; "
+             "see "
              "sweepkit "
              "--help",
              {"draw", "scene.json"}},

@@ -97,8 +97,10 @@ INSTANTIATE_TEST_SUITE_P(
              "than {row} "
              "and {POINTER}",
              "row}{row}.glb"},
-        Case{"AnotherFormat", kGood, "{row}.fbx: a model's name ends in .glb or .gltf", "{row}.fbx"},
-        Case{"AFormatOfTheRows", kGood, "out.{/objects/0/name}: a model's name ends in .glb or .gltf",
+        Case{"AnotherFormat", kGood,
+             "{row}.fbx: a model's name ends in .glb, .gltf, .obj, .ply, .stl or .off", "{row}.fbx"},
+        Case{"AFormatOfTheRows", kGood,
+             "out.{/objects/0/name}: a model's name ends in .glb, .gltf, .obj, .ply, .stl or .off",
              "out.{/objects/0/name}"},
         Case{"TheSameFileTwice", "/objects/0/name,/objects/0/scale\na,1\nb,2\na,3\n",
              "values.csv:4:1: makes the same file as line 2, a.glb; put {row} in -o's name",

@@ -48,7 +48,8 @@ TEST_P(Help, HasExamplesThatWork) {
 
 INSTANTIATE_TEST_SUITE_P(OfTheProgram, Help, testing::Values(""), [](const auto&) { return "itself"; });
 INSTANTIATE_TEST_SUITE_P(OfTheCommand, Help,
-                         testing::Values("generate", "render", "assemble", "bake", "info", "check", "view"),
+                         testing::Values("generate", "render", "assemble", "bake", "info", "check", "view",
+                                         "schema"),
                          [](const auto& test) { return test.param; });
 
 TEST(Version, IsAWordAndANumber) {

@@ -96,12 +96,13 @@ const std::vector<std::vector<std::string>> kPictures = {
 
 INSTANTIATE_TEST_SUITE_P(Pictures, SamePicture, testing::ValuesIn(kPictures), name_of);
 
-INSTANTIATE_TEST_SUITE_P(Models, SameBytes,
-                         testing::Values(std::vector<std::string>{"generate", "scene.json", "-o", "out.glb",
-                                                                  "--bake-size", "64"},
-                                         std::vector<std::string>{"generate", "scene.json", "-o", "out.gltf",
-                                                                  "--bake-size", "64"}),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(
+    Models, SameBytes,
+    testing::Values(std::vector<std::string>{"generate", "scene.json", "-o", "out.glb", "--bake-size", "64"},
+                    std::vector<std::string>{"generate", "scene.json", "-o", "out.gltf", "--bake-size", "64"},
+                    std::vector<std::string>{"generate", "scene.json", "-o", "out.obj", "--bake-size", "64"},
+                    std::vector<std::string>{"generate", "scene.json", "-o", "out.ply"}),
+    name_of);
 
 INSTANTIATE_TEST_SUITE_P(Textures, SameBytes,
                          testing::Values(std::vector<std::string>{"bake", "scene.json", "--object", "ball",

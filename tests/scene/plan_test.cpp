@@ -40,6 +40,20 @@ TEST(Plan, APlainSceneNeedsNothing) {
   EXPECT_EQ(needed(scene_of(""), kFile), std::set<Part>{});
 }
 
+TEST(Plan, AFileThatCannotHoldTexturesNeedsNone) {
+  const Document textured = scene_of(R"("texture": "marble")");
+  EXPECT_EQ(needed(textured, kFile), (std::set{Part::kTextures, Part::kBakes}));
+  Request plain = kFile;
+  plain.has_textures = false;
+  EXPECT_EQ(needed(textured, plain), std::set<Part>{});
+  EXPECT_EQ(plan(textured, plain).textures, (std::vector{false, false, false}));
+
+  const Document mesh = parse(scene_text("", R"({"name": "m", "mesh": {"file": "m.obj"}})"));
+  EXPECT_EQ(needed(mesh, plain), std::set{Part::kLayouts});
+  plain.has_texcoords = false;
+  EXPECT_EQ(needed(mesh, plain), std::set<Part>{});
+}
+
 TEST(Plan, AnImageThatIsFilteredNeedsTablesRowsAndTexcoords) {
   EXPECT_EQ(needed(scene_of(R"("texture": "image")"), kPicture),
             (std::set{Part::kTextures, Part::kTables, Part::kTexcoords, Part::kFilteredNodes,

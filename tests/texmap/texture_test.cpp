@@ -33,10 +33,20 @@ TEST(PointSample, RepeatsAndClampsFarOutside) {
   EXPECT_EQ(texel(four_texels(Wrap::kClamp), 1.0, 0.0), 3);
 }
 
+TEST(PointSample, MirrorsEveryOtherCopy) {
+  EXPECT_EQ(texel(four_texels(Wrap::kMirror), 0.25, 0.75), 0);
+  EXPECT_EQ(texel(four_texels(Wrap::kMirror), 1.25, 0.75), 1);
+  EXPECT_EQ(texel(four_texels(Wrap::kMirror), -0.25, 0.75), 0);
+  EXPECT_EQ(texel(four_texels(Wrap::kMirror), -1.25, 0.75), 1);
+  EXPECT_EQ(texel(four_texels(Wrap::kMirror), 0.25, 1.25), 0);
+  EXPECT_EQ(texel(four_texels(Wrap::kMirror), 0.25, 1.75), 2);
+  EXPECT_EQ(texel(four_texels(Wrap::kMirror), 1e7 + 1.25, -1e7 + 0.75), 1);
+}
+
 TEST(PointSample, TakesNumbersThatAreNoneForTheFirstTexel) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const Wrap wrap : {Wrap::kRepeat, Wrap::kClamp}) {
+  for (const Wrap wrap : {Wrap::kRepeat, Wrap::kClamp, Wrap::kMirror}) {
     EXPECT_EQ(texel(four_texels(wrap), nan, nan), 0);
     EXPECT_GE(texel(four_texels(wrap), infinity, -infinity), 0);
     EXPECT_GE(texel(four_texels(wrap), -1e308, 1e308), 0);

@@ -20,5 +20,6 @@ void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
 void add_check(CLI::App& app);
 void add_view(CLI::App& app);
+void add_schema(CLI::App& app);
 
 }  // namespace sweepkit::tools

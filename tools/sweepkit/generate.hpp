@@ -27,19 +27,22 @@ struct Generate {
 /// Refuses a name that is no model's. Throws InputError.
 void check_model_name(const std::string& file);
 
+/// What the plan needs to know of a file that is to be made; an empty name is a .glb.
+scene::Request model_request(const std::string& file);
+
 struct MadeFile {
   std::uint64_t objects = 0;
-  std::uint64_t instances = 0;  ///< at least as many
-  std::uint64_t triangles = 0;
+  std::uint64_t instances = 0;      ///< at least as many
+  std::uint64_t triangles = 0;      ///< of a glTF's meshes, of a mesh file's instances
   std::optional<double> deviation;  ///< the largest that is known of an object in the world, metres
   std::uint64_t bytes = 0;          ///< with what stands beside it
   scene::Ledger ledger;
   std::vector<scene::SceneFinding> findings;
 };
 
-/// Makes the document's objects and writes them to `file`, and to what a .gltf has beside it; looks for
-/// findings if it is to. Throws
-/// InputError for geometry and images that cannot be used, OutputError for the disk.
+/// Makes the document's objects and writes them to `file`, and to what a .gltf or an .obj has beside it;
+/// looks for findings if it is to. Throws InputError for geometry and images that cannot be used, OutputError
+/// for the disk.
 MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
                    const scene::GltfOptions& options, bool looks_for_findings);
 

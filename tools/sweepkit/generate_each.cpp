@@ -143,7 +143,7 @@ class Batch {
     try {
       scene::Document document = scene_.document(settings_of(table_, table_.rows[row]));
       if (!command_.object.empty()) keep_object(document, command_.object);
-      outcome.plan = scene::plan(document, {.product = scene::Request::Product::kMeshFile});
+      outcome.plan = scene::plan(document, model_request(jobs_[row].file));
       if (jobs_[row].file.empty()) return outcome;
       scene::GltfOptions options = command_.gltf;
       options.images = &images_;

@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   sweepkit::tools::add_info(app);
   sweepkit::tools::add_check(app);
   sweepkit::tools::add_view(app);
+  sweepkit::tools::add_schema(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "sweepkit/scene/scene.hpp"
 #include "sweepkit/texmap/bake.hpp"
 
@@ -11,5 +14,9 @@ namespace sweepkit::scene {
 /// does.
 texmap::BakedTexture bake_over(const MeshView& mesh, const texmap::Texture& texture,
                                const texmap::BakeOptions& options);
+
+/// The mesh's (u,v) as the texture lies in a baked image (`transforms`: one a sheet of texture), or its own
+/// where there are none.
+std::vector<glm::vec2> baked_texcoords(const MeshView& mesh, std::span<const texmap::UvTransform> transforms);
 
 }  // namespace sweepkit::scene

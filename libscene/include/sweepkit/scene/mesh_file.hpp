@@ -28,6 +28,11 @@ struct MeshFile {
 /// Does the name end in .obj, .ply, .stl or .off, in any case?
 bool is_mesh_name(const std::filesystem::path& file);
 
+enum class MeshFormat { kObj, kPly, kStl, kOff };
+
+/// By what the name ends in. Throws InputError for another name.
+MeshFormat mesh_format(const std::filesystem::path& file);
+
 /// Reads a mesh by what its name ends in: OBJ (faces with (u,v) and normals at corners; groups and materials
 /// are passed over), PLY (ascii and binary of both orders, (u,v) at vertices or as a list at faces), STL
 /// (ascii and binary), OFF (ascii, with N and ST). Polygons are cut into triangles. Throws InputError with

@@ -70,6 +70,8 @@ struct Request {
   bool has_smooth_shadows = false;  ///< shadow edges are averaged over the neighbours
   bool has_layers = false;          ///< something besides colours is told of each pixel
   bool shows_texcoords = false;     ///< (u,v) is, of that
+  bool has_textures = true;         ///< the mesh file made can hold textures
+  bool has_texcoords = true;        ///< it can hold (u,v)
   bool has_neighbours = true;       ///< footprints are made from the neighbouring pixels' hits
   bool has_differentials = true;    ///< where there are none, or at all, from the rays' derivatives
 };
