@@ -15,15 +15,12 @@
 #endif
 
 #include <cstddef>
-#include <memory>
 
+#include "exact_test-inl.hpp"
 #include "sweep_search-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sweepkit::render::HWY_NAMESPACE {
-
-using RayTag = hn::CappedTag<double, 8>;
-inline constexpr std::size_t kRayLanes = hn::MaxLanes(RayTag());
 
 /// Coordinates count from `middle`, a point of the mesh's box that the rays go by; so rounding is relative to
 /// the mesh and not to a far eye.
@@ -47,9 +44,11 @@ struct Packet {
   alignas(64) float offsets[2][kWidth];
   alignas(64) float slopes[2][kWidth];
   alignas(64) float inverses[2][kWidth];
-  alignas(64) float limits[kWidth];     // z
+  alignas(64) float limits[kWidth];    // z
   alignas(64) double lengths[kWidth];  // z of the direction
-  double before;                        // z from the origin to `middle`
+  ExactRays exact;
+  std::uint32_t are_exact;  // bit by ray: follows z most, so that ShearedRay's axes are these
+  double before;            // z from the origin to `middle`
   double slack;
 
   float limit(std::uint32_t ray, double t) const {
@@ -111,22 +110,32 @@ HWY_INLINE bool make_packet(const TreeView& view, std::span<const Ray> rays, std
   const auto greatest_length = hn::Set(tag, 0x1p60);
   const auto steepest = hn::Set(tag, 2.0);
   bool are_good = true;
+  packet.are_exact = 0;
+  // ShearedRay's x and y change places where z is followed backward.
+  const int turned[2] = {sense < 0 ? 1 : 0, sense < 0 ? 0 : 1};
+  packet.exact.origin[0] = origin[packet.axes[turned[0]]];
+  packet.exact.origin[1] = origin[packet.axes[turned[1]]];
+  packet.exact.origin[2] = origin[z];
+  const auto signed_one = hn::Set(tag, sense);
   for (std::size_t from = 0; from < kWidth; from += kRayLanes) {
     const auto length = hn::Load(tag, packet.lengths + from);
     auto is_good = hn::And(hn::Ge(length, least_length), hn::Le(length, greatest_length));
-    const auto inverse = hn::Div(one, length);
+    hn::Store(hn::Div(signed_one, length), tag, packet.exact.scales + from);
+    auto is_exact = is_good;
     for (int k = 0; k < 2; ++k) {
-      const auto slope = hn::Mul(hn::Load(tag, directions[k] + from), inverse);
+      const auto slope = hn::Div(hn::Load(tag, directions[k] + from), length);
+      hn::Store(hn::Mul(slope, signed_one), tag, packet.exact.shears[turned[k]] + from);
+      is_exact = hn::And(is_exact, hn::Lt(hn::Abs(slope), one));
       // What lies more across z than twice along it is not good, nor what is no number.
       is_good = hn::And(is_good, hn::Le(hn::Abs(slope), steepest));
-      const auto start =
-          hn::Set(tag, origin[packet.axes[k]] - static_cast<double>(packet.middle[k]));
+      const auto start = hn::Set(tag, origin[packet.axes[k]] - static_cast<double>(packet.middle[k]));
       const hn::Rebind<float, RayTag> floats;
       hn::Store(hn::DemoteTo(floats, slope), floats, packet.slopes[k] + from);
       hn::Store(hn::DemoteTo(floats, hn::Add(start, hn::Mul(slope, before))), floats,
                 packet.offsets[k] + from);
     }
     are_good = are_good && hn::AllTrue(tag, is_good);
+    packet.are_exact |= bits_of_rays(is_exact) << from;
   }
   if (!are_good) return false;
   float low[2];
@@ -219,8 +228,7 @@ struct PacketVisitor {
   std::span<const Ray> rays;
   std::span<Hit> best;
   Packet& packet;
-  std::uint32_t are_sheared = 0;  // bit by ray: only rays that come near a triangle are
-  alignas(ShearedRay) std::byte sheared[kWidth][sizeof(ShearedRay)];
+  Survivors survivors;
 
   PacketVisitor(const TreeView& in, std::span<const Ray> some, std::span<Hit> hits, Packet& p)
       : view(in), rays(some), best(hits), packet(p) {}
@@ -244,17 +252,40 @@ struct PacketVisitor {
         const GridLeaf leaf = grid_leaf<kShape>(grid, x, y);
         Lanes p[3];
         load_vertices<kBlock.columns, kBlock.rows>(leaf_start(view, grid, leaf), grid, packet.axes, p);
+        alignas(64) float corners[3][kWidth];
+        store(p[packet.sense < 0 ? 1 : 0], corners[0]);
+        store(p[packet.sense < 0 ? 0 : 1], corners[1]);
+        store(p[2], corners[2]);
         for (int k = 0; k < 3; ++k) p[k] = p[k] - set(packet.middle[k]);
         p[2] = p[2] * set(packet.sense);
+        survivors.count = 0;
+        const std::uint32_t others = packet.are_exact == 0xFFFF ? 0 : ~0u;
         for (; active != 0; active &= active - 1) {
           const auto i = static_cast<std::uint32_t>(std::countr_zero(active));
           const Sheared turned = {
               multiply_add(p[2], set(-packet.slopes[0][i]), p[0] - set(packet.offsets[0][i])),
               multiply_add(p[2], set(-packet.slopes[1][i]), p[1] - set(packet.offsets[1][i]))};
-          std::uint32_t bits = cell_triangles_near<kBlock.columns + 1>(turned, kCellLanes[kShape], error);
-          for (; bits != 0; bits &= bits - 1) {
-            const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
-            is_found |= take(i, triangle_of<kShape>(grid, leaf, bit));
+          survivors.add(i, cell_triangles_near<kBlock.columns + 1>(turned, kCellLanes[kShape], error));
+        }
+        for (std::uint32_t from = 0; from < survivors.count; from += kRayLanes) {
+          ExactHits hits;
+          test_exactly<kBlock.columns + 1>(corners, grid.is_turned, packet.exact, survivors, from, hits);
+          const std::uint32_t end = std::min(survivors.count - from, std::uint32_t{kRayLanes});
+          std::uint32_t left = (hits.are_hits | hits.are_unsure | others) & ((1u << end) - 1);
+          for (; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+            const auto i = static_cast<std::uint32_t>(survivors.rays[from + lane]);
+            const auto bit = static_cast<std::uint32_t>(survivors.bits[from + lane]);
+            if ((hits.are_hits >> lane & packet.are_exact >> i & 1) != 0) {
+              if (!(hits.t[lane] <= best[i].t)) continue;
+              is_found |= keep(i, triangle_of<kShape>(grid, leaf, bit).index,
+                               {.t = hits.t[lane],
+                                .a = hits.weights[0][lane],
+                                .b = hits.weights[1][lane],
+                                .c = hits.weights[2][lane]});
+            } else {
+              is_found |= take(i, triangle_of<kShape>(grid, leaf, bit));
+            }
           }
         }
       });
@@ -271,13 +302,15 @@ struct PacketVisitor {
     return is_found;
   }
   HWY_INLINE bool take(std::uint32_t i, const LeafTriangle& triangle) {
-    auto* ray = reinterpret_cast<ShearedRay*>(sheared[i]);
-    if ((are_sheared >> i & 1) == 0) {
-      std::construct_at(ray, rays[i]);
-      are_sheared |= 1u << i;
-    }
-    NearestSearch search{best[i]};
-    if (!test(view, rays[i], *ray, triangle, search)) return false;
+    const auto& positions = view.mesh->positions;
+    const auto& [a, b, c] = triangle.vertices;
+    Hit found;
+    return ShearedRay(rays[i]).meets(positions[a], positions[b], positions[c], best[i].t, found) &&
+           keep(i, triangle.index, found);
+  }
+  HWY_INLINE bool keep(std::uint32_t i, std::uint32_t triangle, const Hit& found) {
+    if (rays[i].leaves(view.object, triangle)) return false;
+    keep_nearer(best[i], found, view.object, triangle);
     // All of them stored again: a load across a store of one would wait for it to reach the cache.
     store(with_lane(load(packet.limits), i, packet.limit(i, best[i].t)), packet.limits);
     return true;
