@@ -63,13 +63,40 @@ inline std::uint32_t bits_of_rays(hn::Mask<RayTag> mask) {
   return bytes[0];
 }
 
+/// A leaf's vertices along one axis, to be looked up by lane.
+#if HWY_MAX_BYTES == 64
+using Corners = Lanes;
+HWY_INLINE Corners to_look_up(const Lanes& lanes) {
+  return lanes;
+}
+template <class Indices>
+HWY_INLINE auto look_up(const Corners& corners, const Indices& lanes) {
+  const FloatTag tag;
+  const auto wide = hn::ZeroExtendVector(hn::RebindToSigned<FloatTag>(), lanes);
+  return hn::LowerHalf(hn::Half<FloatTag>(),
+                       hn::TableLookupLanes(corners.part[0], hn::IndicesFromVec(tag, wide)));
+}
+#else
+struct Corners {
+  alignas(64) float stored[16];
+};
+HWY_INLINE Corners to_look_up(const Lanes& lanes) {
+  Corners corners;
+  store(lanes, corners.stored);
+  return corners;
+}
+template <class Indices>
+HWY_INLINE auto look_up(const Corners& corners, const Indices& lanes) {
+  return hn::GatherIndex(hn::Rebind<float, RayTag>(), corners.stored, lanes);
+}
+#endif
+
 /// `corners` are the leaf's vertices by lane, each row of them kRow long; the axes as in `rays`.
 template <std::uint32_t kRow>
-HWY_INLINE void test_exactly(const float corners[3][16], bool is_turned, const ExactRays& rays,
+HWY_INLINE void test_exactly(const Corners corners[3], bool is_turned, const ExactRays& rays,
                              const Survivors& survivors, std::uint32_t from, ExactHits& out) {
   const RayTag tag;
   const hn::Rebind<std::int32_t, RayTag> integers;
-  const hn::Rebind<float, RayTag> floats;
   const hn::RebindToSigned<RayTag> longs;
   const auto bit = hn::LoadU(integers, survivors.bits + from);
 
@@ -91,7 +118,7 @@ HWY_INLINE void test_exactly(const float corners[3][16], bool is_turned, const E
   RayLanes pz[3];
   for (int k = 0; k < 3; ++k) {
     const auto coordinate = [&](int axis) HWY_ATTR {
-      const auto read = hn::GatherIndex(floats, corners[axis], vertices[k]);
+      const auto read = look_up(corners[axis], vertices[k]);
       return hn::Sub(hn::PromoteTo(tag, read), hn::Set(tag, rays.origin[axis]));
     };
     pz[k] = coordinate(2);

@@ -180,8 +180,16 @@ HWY_INLINE bool make_packet(const TreeView& view, std::span<const Ray> rays, std
     }
   }
   // Where there is no ray nothing is before its end.
-  for (std::uint32_t i = 0; i < kWidth; ++i)
-    packet.limits[i] = i < packet.count ? packet.limit(i, best[i].t) : -0x1p100F;
+  alignas(64) double ends[kWidth];
+  for (std::uint32_t i = 0; i < kWidth; ++i) ends[i] = i < packet.count ? best[i].t : -0x1p200;
+  const auto added = hn::Set(tag, packet.slack - packet.before);
+  const auto farthest_limit = hn::Set(tag, 0x1p100);
+  for (std::size_t from = 0; from < kWidth; from += kRayLanes) {
+    const auto end = hn::Mul(hn::Load(tag, ends + from), hn::Load(tag, packet.lengths + from));
+    const auto limit = hn::Max(hn::Min(hn::Add(end, added), farthest_limit), hn::Neg(farthest_limit));
+    const hn::Rebind<float, RayTag> floats;
+    hn::Store(hn::DemoteTo(floats, limit), floats, packet.limits + from);
+  }
   return true;
 }
 
@@ -252,10 +260,8 @@ struct PacketVisitor {
         const GridLeaf leaf = grid_leaf<kShape>(grid, x, y);
         Lanes p[3];
         load_vertices<kBlock.columns, kBlock.rows>(leaf_start(view, grid, leaf), grid, packet.axes, p);
-        alignas(64) float corners[3][kWidth];
-        store(p[packet.sense < 0 ? 1 : 0], corners[0]);
-        store(p[packet.sense < 0 ? 0 : 1], corners[1]);
-        store(p[2], corners[2]);
+        const Corners corners[3] = {to_look_up(p[packet.sense < 0 ? 1 : 0]),
+                                    to_look_up(p[packet.sense < 0 ? 0 : 1]), to_look_up(p[2])};
         for (int k = 0; k < 3; ++k) p[k] = p[k] - set(packet.middle[k]);
         p[2] = p[2] * set(packet.sense);
         survivors.count = 0;
