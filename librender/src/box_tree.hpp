@@ -76,7 +76,7 @@ struct Place {
 /// The implicit hierarchy over a mesh: boxes, and the few numbers that tell what they bound. The vertices
 /// stay where they are.
 struct BoxTree {
-  Box box;            ///< of all triangles
+  Box box;  ///< of all triangles
   // The same for four lanes: the fourth axis is from -1 to 1.
   alignas(32) std::array<double, 4> padded_low{};
   alignas(32) std::array<double, 4> padded_high{};

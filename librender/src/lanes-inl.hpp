@@ -63,7 +63,8 @@ HWY_INLINE Lanes with_lane(Lanes lanes, std::uint32_t lane, float value) {
   const hn::RebindToSigned<FloatTag> integers;
   for (std::size_t k = 0; k < kParts; ++k) {
     const auto index = hn::Iota(integers, static_cast<std::int32_t>(k * kPartLanes));
-    const auto is_it = hn::RebindMask(FloatTag(), hn::Eq(index, hn::Set(integers, static_cast<std::int32_t>(lane))));
+    const auto is_it =
+        hn::RebindMask(FloatTag(), hn::Eq(index, hn::Set(integers, static_cast<std::int32_t>(lane))));
     lanes.part[k] = hn::IfThenElse(is_it, hn::Set(FloatTag(), value), lanes.part[k]);
   }
   return lanes;

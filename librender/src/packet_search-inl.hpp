@@ -246,6 +246,7 @@ struct PacketVisitor {
   HWY_INLINE std::uint32_t passed_children(const BoxNode& node, float limit, Lanes& enter) const {
     return passed(node, packet, limit, enter);
   }
+  HWY_INLINE void prefetch_leaves(const Level&, const Place&, std::uint32_t) const {}
   HWY_INLINE bool visit_leaf(const Level& level, const BoxNode& node, std::uint32_t child, std::uint32_t x,
                              std::uint32_t y) {
     std::uint32_t active = rays_through(node, child, packet);

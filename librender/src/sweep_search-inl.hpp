@@ -154,6 +154,22 @@ struct RayVisitor {
   HWY_INLINE std::uint32_t passed_children(const BoxNode& node, float limit, Lanes& enter) const {
     return passed(node, culling, limit, enter);
   }
+  /// Asks for the vertices of all of them before the first is waited for.
+  HWY_INLINE void prefetch_leaves(const Level& level, const Place& at, std::uint32_t bits) const {
+    if (level.children != Level::Children::kGridLeaves) return;
+    const LeafGrid& grid = view.tree->grids[level.grid];
+    const LeafShape shape = kLeafShapes[grid.shape];
+    const float* const vertices = &view.mesh->positions[grid.first_vertex].x;
+    for (; bits != 0; bits &= bits - 1) {
+      const auto child = static_cast<std::uint32_t>(std::countr_zero(bits));
+      const std::uint32_t column =
+          std::min(level.child_x(at.x, child) * shape.columns, grid.columns - shape.columns);
+      const std::uint32_t row = std::min(level.child_y(at.y, child) * shape.rows, grid.rows - shape.rows);
+      const float* from = vertices + 3 * (std::size_t{row} * grid.stride + column);
+      for (std::uint32_t j = 0; j <= shape.rows; ++j)
+        __builtin_prefetch(from + 3 * std::size_t{j} * grid.stride);
+    }
+  }
   /// False: nothing has changed.
   HWY_INLINE bool visit_leaf(const Level& level, const BoxNode& node, std::uint32_t child, std::uint32_t x,
                              std::uint32_t y) {
@@ -266,6 +282,7 @@ HWY_INLINE void search_tree(const BoxTree& tree, Visitor& visitor) {
         at = child_of(tree, at, next);
         continue;
       }
+      visitor.prefetch_leaves(level, at, bits);
       Children children;
       if (is_single) {
         children.count = 1;
