@@ -30,6 +30,10 @@ inline double accurate_cross(double ax, double ay, double bx, double by) {
 /// may leave out every box that the ray passes at more than that.
 class ShearedRay {
  public:
+  // A determinant of less than this share of the products is computed again: each edge function is wrong by
+  // at most 2^-52 of its products, which are equal to as much where this matters.
+  static constexpr double kLeastShare = 0x1p-25;
+
   explicit ShearedRay(const Ray& ray) {
     // Without branches, which nothing could predict; glm::abs() and glm's operator[] have some.
     const double* const direction = glm::value_ptr(ray.direction);
@@ -103,9 +107,6 @@ class ShearedRay {
     const int is_above = int(u > 0) | int(v > 0) | int(w > 0);
     return (is_below & is_above) != 0;
   }
-  // Each edge function is wrong by at most 2^-52 of its products, which are equal to as much where this
-  // matters.
-  static constexpr double kLeastShare = 0x1p-25;
 
   glm::dvec3 origin_;  // permuted
   int x_, y_, z_;
