@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -16,6 +17,12 @@ namespace {
 class Help : public testing::TestWithParam<std::string> {};
 
 TEST_P(Help, HasExamplesThatWork) {
+  const std::filesystem::path page =
+      std::filesystem::path(SWEEPKIT_PROGRAM).parent_path() / "sweepkit-view.html";
+  if (GetParam() == "view" && !std::filesystem::exists(page)) {
+    ASSERT_EQ(std::getenv("CI"), nullptr) << "in CI the page is bundled";
+    GTEST_SKIP() << "SKIPPED: this build has no page; scripts/setup, and build again";
+  }
   const Workshop workshop;
   std::filesystem::create_directory_symlink(SWEEPKIT_SAMPLES, workshop.folder() / "samples");
   const Outcome help = workshop.shell("sweepkit " + GetParam() + " --help");
