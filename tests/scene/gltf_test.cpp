@@ -315,6 +315,75 @@ TEST(Gltf, ExtensionsAreUsedOnlyByWhatReflectsAndNeverRequired) {
   EXPECT_NEAR(factor[0].get<double>(), 7.5, 1e-6);
 }
 
+// Two glass balls of one material and unlike sizes, and a sheet of it.
+std::string glass_scene() {
+  const auto ball = [](const char* name, const char* radius) {
+    return R"({"name": ")" + std::string(name) +
+           R"(", "material": "glass", "revolve": {"contour": {"arc": {"from_deg": -90, "to_deg": 90, "radius": )" +
+           radius + "}}}}";
+  };
+  return scene_text(
+      R"("materials": {"glass": {"diffuse": [0, 0, 0], "transmit": 1, "reflect": 1, "ior": 1.6, "fresnel": "exact",
+                                 "absorption": [1, 2, 4]}})",
+      ball("small", "0.1") + ", " + ball("large", "0.2") +
+          R"(, {"name": "sheet", "material": "glass", "plane": {"size": [1, 1]}})");
+}
+
+TEST(Gltf, GlassTellsHowThickEachBodyIs) {
+  const Parsed parsed = glb(glass_scene());
+  const json& materials = parsed.root["materials"];
+  ASSERT_EQ(materials.size(), 3u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const json& volume = materials[i]["extensions"]["KHR_materials_volume"];
+    // 4 r / 3; 64 x 64 cells of a ball lack less than a hundredth of its radius.
+    const double radius = i == 0 ? 0.1 : 0.2;
+    EXPECT_NEAR(volume["thicknessFactor"].get<double>(), 4 * radius / 3, 0.01 * radius);
+    EXPECT_EQ(volume["attenuationDistance"].get<double>(), 0.25);
+    EXPECT_FALSE(materials[i].contains("doubleSided"));
+    EXPECT_FALSE(materials[i].contains("alphaMode")) << "OPAQUE";
+  }
+  EXPECT_FALSE(materials[2]["extensions"].contains("KHR_materials_volume"));
+  EXPECT_EQ(materials[2]["doubleSided"], true);
+  EXPECT_EQ(parsed.root["extensionsUsed"],
+            (json{"KHR_materials_ior", "KHR_materials_transmission", "KHR_materials_volume"}));
+  EXPECT_FALSE(parsed.root.contains("extensionsRequired"));
+  EXPECT_EQ(parsed.file.ledger[Part::kThicknesses].calls, 3u);
+  EXPECT_GT(parsed.file.ledger[Part::kThicknesses].bytes, 0u);
+}
+
+TEST(Gltf, CompatibleGlassIsBlendedAndUsesNoExtension) {
+  const json root = glb(glass_scene(), {.look = GltfLook::kCompatible}).root;
+  EXPECT_FALSE(root.contains("extensionsUsed"));
+  for (const json& material : root["materials"]) {
+    EXPECT_EQ(material["alphaMode"], "BLEND");
+    EXPECT_FALSE(material.contains("extensions"));
+  }
+}
+
+TEST(Gltf, UnlitUsesThatExtensionAlone) {
+  const json root =
+      glb(scene_text(R"("materials": {"m": {"reflect": 0.3}})", kVase), {.look = GltfLook::kUnlit}).root;
+  EXPECT_EQ(root["extensionsUsed"], json{"KHR_materials_unlit"});
+  EXPECT_EQ(root["materials"][0]["extensions"], (json{{"KHR_materials_unlit", json::object()}}));
+}
+
+TEST(Gltf, WhatIsNotGlassIsNotMeasured) {
+  const Parsed parsed = glb(scene_text(R"("materials": {"m": {"reflect": 0.3}})", kVase));
+  EXPECT_EQ(parsed.file.ledger[Part::kThicknesses].calls, 0u);
+  EXPECT_EQ(parsed.file.ledger[Part::kThicknesses].bytes, 0u);
+}
+
+TEST(Gltf, MaterialsWithEqualTermsAreOne) {
+  const json root =
+      glb(scene_text(
+              R"("materials": {"m": {"reflect": 0.3}, "same": {"reflect": 0.3}, "other": {"reflect": 0.2}})",
+              kVase + R"(, {"name": "b", "material": "same", "plane": {"size": [1, 1]}},
+                                  {"name": "c", "material": "other", "plane": {"size": [1, 1]}})"))
+          .root;
+  ASSERT_EQ(root["materials"].size(), 2u);
+  EXPECT_EQ(root["meshes"][0]["primitives"][0]["material"], root["meshes"][1]["primitives"][0]["material"]);
+}
+
 TEST(Gltf, OneObjectAlone) {
   const std::string text = scene_text(R"("materials": {"m": {}})", kVase + ", " + kFloor);
   const json root = glb(text, {.object = "floor"}).root;

@@ -12,6 +12,10 @@
 #include "sweepkit/scene/gltf.hpp"
 #include "sweepkit/scene/plan.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace sweepkit::tools {
 
 /// What `generate` was asked for.
@@ -22,6 +26,9 @@ struct Generate {
   std::string values;  ///< --each: a table of values, a file a row; empty: one file
   int threads = 0;     ///< for --each; 0: as many as the machine has
   scene::GltfOptions gltf;
+  bool is_unlit = false;
+  bool is_compatible = false;
+  CLI::App* options = nullptr;  ///< which were given
 };
 
 /// Refuses a name that is no model's. Throws InputError.

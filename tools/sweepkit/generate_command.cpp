@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -78,15 +79,32 @@ void generate_one(const Generate& command) {
       output);
 }
 
+// Options of glTF alone, and what other formats lack.
+constexpr std::array<std::array<const char*, 2>, 3> kGltfOptions = {{
+    {"--tangents", "tangents"},
+    {"--unlit", "materials without light"},
+    {"--compatible", "extensions to do without"},
+}};
+
+void check_gltf_options(const Generate& command) {
+  if (command.is_unlit && command.is_compatible) {
+    throw InputError({.file = "--unlit"},
+                     "is an extension, and --compatible is for viewers that know none; leave one out");
+  }
+  if (!scene::is_mesh_name(command.output.file)) return;
+  for (const auto& [option, lack] : kGltfOptions) {
+    if (command.options->count(option) == 0) continue;
+    throw InputError({.file = option}, std::string("is for .glb and .gltf: other formats hold no ") + lack);
+  }
+}
+
 void generate(const Generate& command) {
   const Output& output = command.output;
   if (output.is_json && !output.explains && command.values.empty()) {
     throw InputError({.file = "--json"}, "prints tables; add --explain or --each");
   }
   if (output.file.empty() && !output.explains) throw InputError("-o FILE is needed (or --explain)");
-  if (command.gltf.has_tangents && scene::is_mesh_name(output.file)) {
-    throw InputError({.file = "--tangents"}, "is for .glb and .gltf: other formats hold no tangents");
-  }
+  check_gltf_options(command);
   if (command.values.empty()) {
     generate_one(command);
   } else {
@@ -108,7 +126,8 @@ scene::Request model_request(const std::string& file) {
   const bool is_mesh = scene::is_mesh_name(file);
   return {.product = scene::Request::Product::kMeshFile,
           .has_textures = !is_mesh || scene::holds_textures(file),
-          .has_texcoords = !is_mesh || scene::holds_texcoords(file)};
+          .has_texcoords = !is_mesh || scene::holds_texcoords(file),
+          .has_thicknesses = !is_mesh};
 }
 
 MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
@@ -165,6 +184,10 @@ void add_generate(CLI::App& app) {
       ->check(CLI::Range(1, kMostTexels));
   sub.add_flag("--tangents", command->gltf.has_tangents,
                "A tangent with handedness at every vertex too, for normal maps in engines that make none");
+  sub.add_flag("--unlit", command->is_unlit,
+               "Colours and textures as they are, whatever the light (KHR_materials_unlit)");
+  sub.add_flag("--compatible", command->is_compatible,
+               "For viewers without extensions: none is used, and glass is blended with what is behind it");
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);
@@ -182,7 +205,12 @@ void add_generate(CLI::App& app) {
       "  sweepkit generate samples/scenes/vase_and_cup.json --object vase -o vase.stl\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json --object vase --each samples/tables/vases.csv "
       "-o vase_{row}.glb");
-  sub.callback([command] { generate(*command); });
+  command->options = &sub;
+  sub.callback([command] {
+    if (command->is_unlit) command->gltf.look = scene::GltfLook::kUnlit;
+    if (command->is_compatible) command->gltf.look = scene::GltfLook::kCompatible;
+    generate(*command);
+  });
 }
 
 }  // namespace sweepkit::tools

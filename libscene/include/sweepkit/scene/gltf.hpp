@@ -15,11 +15,19 @@ namespace sweepkit::scene {
 
 class ImageStore;
 
+/// What the file asks of viewers. Nothing is ever required: a viewer without an extension shows less.
+enum class GltfLook {
+  kFull,        ///< mirrors, glass and indices of refraction by the KHR_materials extensions
+  kUnlit,       ///< colours and textures as they are, without light: KHR_materials_unlit
+  kCompatible,  ///< no extension at all; glass is blended with what is behind it
+};
+
 struct GltfOptions {
   std::optional<std::string> object;  ///< this object alone
   int bake_size = 1024;               ///< texels on a side of a baked procedural texture
   bool has_tangents = false;          ///< TANGENT for every vertex (sweepkit/sweep/tangents.hpp)
-  ImageStore* images = nullptr;       ///< keeps encoded and baked images for the files to come
+  GltfLook look = GltfLook::kFull;
+  ImageStore* images = nullptr;  ///< keeps encoded and baked images for the files to come
 };
 
 struct NamedBytes {
@@ -29,7 +37,7 @@ struct NamedBytes {
 
 struct GltfFile {
   std::vector<NamedBytes> files;  ///< what stands beside (.bin, images), then the .glb or .gltf itself
-  Ledger ledger;                  ///< bakes
+  Ledger ledger;                  ///< bakes, thicknesses
 };
 
 /// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
