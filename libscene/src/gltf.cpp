@@ -42,7 +42,9 @@ class Writer {
         stem_(file == "-" ? "scene" : file.stem().string()),
         is_binary_(file.extension() != ".gltf"),
         buffer_(model_),
-        textures_(model_, buffer_, result_, scene, options, stem_, !is_binary_) {
+        textures_(model_, buffer_, result_, scene, options, stem_,
+                  options.images_in == GltfImages::kSeparate ||
+                      (options.images_in == GltfImages::kByContainer && !is_binary_)) {
     model_.asset.version = "2.0";
     model_.asset.generator = "sweepkit " SWEEPKIT_VERSION;
   }

@@ -11,6 +11,7 @@
 #include <span>
 #include <sstream>
 
+#include "image_header.hpp"
 #include "object_reader.hpp"
 #include "sweepkit/error.hpp"
 
@@ -34,12 +35,6 @@ std::string read_bytes(const std::filesystem::path& file) {
 std::uint32_t little_endian(Bytes bytes, std::size_t at) {
   return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
          static_cast<std::uint32_t>(bytes[at + 3]) << 24;
-}
-
-std::uint32_t big_endian(Bytes bytes, std::size_t at, int count) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < count; ++i) value = value << 8 | bytes[at + static_cast<std::size_t>(i)];
-  return value;
 }
 
 // A .glb: header, JSON chunk, and at most one binary chunk.
@@ -71,29 +66,6 @@ Container open_container(std::string content, const std::string& name) {
     container.binary = content.substr(next + 8, binary_length);
   }
   return container;
-}
-
-struct Size {
-  int width = 0, height = 0;
-};
-
-// PNG: the IHDR chunk comes first. JPEG: the first start-of-frame segment.
-Size image_size(Bytes bytes) {
-  static constexpr unsigned char kPng[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  if (bytes.size() >= 24 && std::equal(std::begin(kPng), std::end(kPng), bytes.begin())) {
-    return {static_cast<int>(big_endian(bytes, 16, 4)), static_cast<int>(big_endian(bytes, 20, 4))};
-  }
-  if (bytes.size() < 4 || bytes[0] != 0xff || bytes[1] != 0xd8) return {};
-  for (std::size_t at = 2; at + 9 <= bytes.size() && bytes[at] == 0xff;) {
-    const unsigned char marker = bytes[at + 1];
-    const bool is_frame =
-        marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-    if (is_frame) {
-      return {static_cast<int>(big_endian(bytes, at + 7, 2)), static_cast<int>(big_endian(bytes, at + 5, 2))};
-    }
-    at += 2 + big_endian(bytes, at + 2, 2);
-  }
-  return {};
 }
 
 // The arrays of a glTF file point at one another by index.
@@ -210,9 +182,9 @@ class Reader {
   }
 
   static void set_size(GltfInfo::Image& image, Bytes bytes) {
-    const Size size = image_size(bytes);
-    image.width = size.width;
-    image.height = size.height;
+    const ImageHeader header = image_header(std::as_bytes(bytes)).value_or(ImageHeader());
+    image.width = header.width;
+    image.height = header.height;
   }
 
   static std::string percent_decoded(const std::string& uri) {

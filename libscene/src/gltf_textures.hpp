@@ -5,7 +5,10 @@
 #include <tiny_gltf.h>
 
 #include <map>
+#include <memory>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "gltf_buffer.hpp"
@@ -32,8 +35,14 @@ class GltfTextures {
                     std::vector<texmap::UvTransform>& transforms);
 
  private:
+  using Bytes = std::shared_ptr<const std::vector<std::byte>>;
+
   int add_texture(int image, texmap::Wrap wrap);
-  int add_image(const std::shared_ptr<const texmap::Image>& image, const std::string& name);
+  /// One for images of equal bytes.
+  int add_image(const Bytes& file, bool is_jpeg, const std::string& name);
+  int add_encoded(const std::shared_ptr<const texmap::Image>& image, const std::string& name);
+  /// The file itself, if it may stand in a glTF as it is.
+  Bytes unchanged(std::size_t texture);
   void count_bake(const texmap::Image& image);
 
   tinygltf::Model& model_;
@@ -46,6 +55,7 @@ class GltfTextures {
   ImageStore own_images_;  // where the caller has none
   ImageStore& images_;
   std::map<std::size_t, int> image_textures_;
+  std::unordered_multimap<std::size_t, std::pair<Bytes, int>> written_;  // by hash: bytes and image
 };
 
 }  // namespace sweepkit::scene

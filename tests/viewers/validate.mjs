@@ -16,6 +16,8 @@ const kVariants = [
   ['_tangents.glb', '--tangents'],
   ['_unlit.glb', '--unlit'],
   ['_compatible.glb', '--compatible'],
+  ['_separate.glb', '--images', 'separate', '--image-format', 'jpg'],
+  ['_embedded.gltf', '--images', 'embedded', '--max-texture', '16'],
 ];
 const kError = 0;
 const kWarning = 1;

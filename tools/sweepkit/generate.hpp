@@ -28,6 +28,8 @@ struct Generate {
   scene::GltfOptions gltf;
   bool is_unlit = false;
   bool is_compatible = false;
+  std::string images;           ///< "embedded", "separate"; empty: by the container
+  std::string image_format;     ///< "png", "jpg"; empty: not said
   CLI::App* options = nullptr;  ///< which were given
 };
 

@@ -80,16 +80,32 @@ void generate_one(const Generate& command) {
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 3> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 6> kGltfOptions = {{
     {"--tangents", "tangents"},
     {"--unlit", "materials without light"},
     {"--compatible", "extensions to do without"},
+    {"--images", ""},
+    {"--image-format", ""},
+    {"--max-texture", ""},
 }};
+
+void settle_gltf_options(Generate& command) {
+  scene::GltfOptions& gltf = command.gltf;
+  if (command.is_unlit) gltf.look = scene::GltfLook::kUnlit;
+  if (command.is_compatible) gltf.look = scene::GltfLook::kCompatible;
+  if (command.images == "embedded") gltf.images_in = scene::GltfImages::kEmbedded;
+  if (command.images == "separate") gltf.images_in = scene::GltfImages::kSeparate;
+  if (command.image_format == "png") gltf.image_format = texmap::ImageFormat::kPng;
+  if (command.image_format == "jpg") gltf.image_format = texmap::ImageFormat::kJpeg;
+}
 
 void check_gltf_options(const Generate& command) {
   if (command.is_unlit && command.is_compatible) {
     throw InputError({.file = "--unlit"},
                      "is an extension, and --compatible is for viewers that know none; leave one out");
+  }
+  if (command.output.is_standard() && command.gltf.images_in == scene::GltfImages::kSeparate) {
+    throw InputError({.file = "--images"}, "separate needs a folder, and -o - is standard output alone");
   }
   if (!scene::is_mesh_name(command.output.file)) return;
   for (const auto& [option, lack] : kGltfOptions) {
@@ -188,6 +204,19 @@ void add_generate(CLI::App& app) {
                "Colours and textures as they are, whatever the light (KHR_materials_unlit)");
   sub.add_flag("--compatible", command->is_compatible,
                "For viewers without extensions: none is used, and glass is blended with what is behind it");
+  sub.add_option("--images", command->images,
+                 "Where images go, embedded or separate; without it into a .glb, beside a .gltf")
+      ->type_name("PLACE")
+      ->check(CLI::IsMember({"embedded", "separate"}));
+  sub.add_option("--image-format", command->image_format,
+                 "Of all images, png or jpg; without it PNG and JPEG files are copied as they are and others "
+                 "become PNG")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"png", "jpg"}));
+  sub.add_option("--max-texture", command->gltf.max_texture,
+                 "Most texels on a side of an image; larger ones are made smaller")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostTexels));
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);
@@ -207,8 +236,7 @@ void add_generate(CLI::App& app) {
       "-o vase_{row}.glb");
   command->options = &sub;
   sub.callback([command] {
-    if (command->is_unlit) command->gltf.look = scene::GltfLook::kUnlit;
-    if (command->is_compatible) command->gltf.look = scene::GltfLook::kCompatible;
+    settle_gltf_options(*command);
     generate(*command);
   });
 }

@@ -10,6 +10,7 @@
 
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
+#include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
 
@@ -22,11 +23,21 @@ enum class GltfLook {
   kCompatible,  ///< no extension at all; glass is blended with what is behind it
 };
 
+enum class GltfImages {
+  kByContainer,  ///< inside a .glb, beside a .gltf
+  kEmbedded,
+  kSeparate,
+};
+
 struct GltfOptions {
   std::optional<std::string> object;  ///< this object alone
   int bake_size = 1024;               ///< texels on a side of a baked procedural texture
   bool has_tangents = false;          ///< TANGENT for every vertex (sweepkit/sweep/tangents.hpp)
   GltfLook look = GltfLook::kFull;
+  GltfImages images_in = GltfImages::kByContainer;
+  /// PNG or JPEG for every image. None: a PNG or JPEG file that fits is copied as it is, others become PNG.
+  std::optional<texmap::ImageFormat> image_format;
+  int max_texture = 0;           ///< larger images are made smaller; texels on a side, 0: as they are
   ImageStore* images = nullptr;  ///< keeps encoded and baked images for the files to come
 };
 
@@ -42,9 +53,10 @@ struct GltfFile {
 
 /// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
 /// has several instances the node has a child for each, and they share the mesh. .glb holds
-/// everything; .gltf has its buffer and images beside it, named for `file`. The same scene gives the same
-/// bytes. Throws InputError for an unknown object, one without triangles, one that an instance shears, or a
-/// file over 2 GiB.
+/// everything; .gltf has its buffer and images beside it, named for `file`. Images of equal bytes are one,
+/// and a PNG or JPEG that needs no change is copied byte for byte. The same scene gives the same bytes.
+/// Throws InputError for an unknown object, one without triangles, one that an instance shears, or a file
+/// over 2 GiB.
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options);
 
