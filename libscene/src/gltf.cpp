@@ -20,6 +20,7 @@
 #include "gltf_material_entry.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
+#include "json_text.hpp"
 #include "mean_chord.hpp"
 #include "message_text.hpp"
 #include "sweepkit/error.hpp"
@@ -47,6 +48,8 @@ class Writer {
                       (options.images_in == GltfImages::kByContainer && !is_binary_)) {
     model_.asset.version = "2.0";
     model_.asset.generator = "sweepkit " SWEEPKIT_VERSION;
+    if (!is_utf8(options.copyright)) throw InputError("the copyright is no UTF-8 text");
+    model_.asset.copyright = options.copyright;
   }
 
   GltfFile write() {

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "gltf_buffer.hpp"
 
+#include <xxhash.h>
+
+#include <algorithm>
+
 #include "gltf_arrays.hpp"
 #include "sweepkit/error.hpp"
 
@@ -32,6 +36,20 @@ int GltfBuffer::add_view(std::span<const std::byte> values, int target) {
 
 int GltfBuffer::add_accessor(std::span<const std::byte> values, int target, int component, int type,
                              std::size_t count) {
+  // A span that is over the limit may not be there to be read.
+  if (values.size() < kLargestBuffer) {
+    const std::uint64_t hash = XXH3_64bits(values.data(), values.size());
+    for (auto [one, end] = accessors_.equal_range(hash); one != end; ++one) {
+      const tinygltf::Accessor& known = model_.accessors[static_cast<std::size_t>(one->second)];
+      const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(known.bufferView)];
+      const auto start = bytes.begin() + static_cast<std::ptrdiff_t>(view.byteOffset);
+      if (view.target == target && known.componentType == component && known.type == type &&
+          view.byteLength == values.size() && std::equal(values.begin(), values.end(), start)) {
+        return one->second;
+      }
+    }
+    accessors_.emplace(hash, static_cast<int>(model_.accessors.size()));
+  }
   tinygltf::Accessor accessor;
   accessor.bufferView = add_view(values, target);
   accessor.componentType = component;
@@ -63,10 +81,11 @@ int GltfBuffer::add_positions(std::span<const glm::vec3> positions) {
     low = glm::min(low, position);
     high = glm::max(high, position);
   }
-  const int accessor = add_vertices(positions);
-  model_.accessors.back().minValues = {low.x, low.y, low.z};
-  model_.accessors.back().maxValues = {high.x, high.y, high.z};
-  return accessor;
+  const int index = add_vertices(positions);
+  tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  accessor.minValues = {low.x, low.y, low.z};
+  accessor.maxValues = {high.x, high.y, high.z};
+  return index;
 }
 
 int GltfBuffer::add_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count) {
@@ -81,11 +100,12 @@ int GltfBuffer::add_indices(std::span<const sweep::Triangle> triangles, std::siz
 }
 
 int GltfBuffer::add_key_times(std::span<const float> seconds) {
-  const int accessor = add_accessor(std::as_bytes(seconds), 0, TINYGLTF_COMPONENT_TYPE_FLOAT,
-                                    TINYGLTF_TYPE_SCALAR, seconds.size());
-  model_.accessors.back().minValues = {seconds.front()};
-  model_.accessors.back().maxValues = {seconds.back()};
-  return accessor;
+  const int index = add_accessor(std::as_bytes(seconds), 0, TINYGLTF_COMPONENT_TYPE_FLOAT,
+                                 TINYGLTF_TYPE_SCALAR, seconds.size());
+  tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  accessor.minValues = {seconds.front()};
+  accessor.maxValues = {seconds.back()};
+  return index;
 }
 
 int GltfBuffer::add_rotations(std::span<const glm::vec4> quaternions) {

@@ -5,8 +5,10 @@
 #include <tiny_gltf.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "sweepkit/sweep/grid_patch.hpp"
@@ -14,8 +16,9 @@
 namespace sweepkit::scene {
 
 /// A model's one buffer as it grows, with the views and accessors into it. What add_ returns is an index into
-/// the model's views or accessors. Everything is aligned to four bytes. Throws InputError where the buffer
-/// would be over 2 GiB.
+/// the model's views or accessors. Everything is aligned to four bytes. Arrays of equal bytes and kind are
+/// one accessor, so that objects of one shape share it, whatever their names and materials. Throws InputError
+/// where the buffer would be over 2 GiB.
 class GltfBuffer {
  public:
   explicit GltfBuffer(tinygltf::Model& model) : model_(model) {}
@@ -35,6 +38,7 @@ class GltfBuffer {
   int add_accessor(std::span<const std::byte> values, int target, int component, int type, std::size_t count);
 
   tinygltf::Model& model_;
+  std::unordered_multimap<std::uint64_t, int> accessors_;  // by hash of their bytes
 };
 
 }  // namespace sweepkit::scene

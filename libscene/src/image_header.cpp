@@ -26,10 +26,7 @@ bool begins_with(Bytes bytes, std::string_view text) {
 }
 
 // Of the first directory: twelve bytes an entry, the orientation a 16-bit number of tag 0x112.
-int exif_orientation(Bytes segment) {
-  using namespace std::string_view_literals;
-  if (!begins_with(segment, "Exif\0\0"sv)) return 1;
-  const Bytes tiff = segment.subspan(6);
+int exif_orientation(Bytes tiff) {
   if (tiff.size() < 8) return 1;
   const bool is_little = begins_with(tiff, "II");
   const auto number = [&](std::size_t at, std::size_t count) -> std::uint32_t {
@@ -57,6 +54,7 @@ std::optional<ImageHeader> image_header(Bytes bytes) {
   }
   if (!begins_with(bytes, "\xff\xd8"sv)) return std::nullopt;
   ImageHeader header{.is_jpeg = true};
+  bool has_exif = false;
   for (std::size_t at = 2; at + 10 <= bytes.size() && bytes[at] == std::byte{0xff};) {
     const std::uint32_t marker = big_endian(bytes, at + 1, 1);
     const std::size_t size = big_endian(bytes, at + 2, 2);
@@ -69,7 +67,11 @@ std::optional<ImageHeader> image_header(Bytes bytes) {
       return header;
     }
     if (size < 2 || size > bytes.size() - at - 2) return std::nullopt;
-    if (marker == 0xe1) header.orientation = exif_orientation(bytes.subspan(at + 4, size - 2));
+    const Bytes segment = bytes.subspan(at + 4, size - 2);
+    if (marker == 0xe1 && !has_exif && begins_with(segment, "Exif\0\0"sv)) {
+      has_exif = true;  // the first counts
+      header.orientation = exif_orientation(segment.subspan(6));
+    }
     at += 2 + size;
   }
   return std::nullopt;

@@ -128,15 +128,17 @@ TEST_F(GltfImagesTest, AJpegThatExifTurnsIsNotCopied) {
 
 TEST_F(GltfImagesTest, TheFormatAskedForIsThatOfAll) {
   const Bytes png = save("a.png", texmap::ImageFormat::kPng);
-  const Bytes jpeg = save("b.jpg", texmap::ImageFormat::kJpeg);
+  const Bytes jpeg = save("b.jpg", texmap::ImageFormat::kJpeg, 40);
   const std::string text = textured({image("a.png"), image("b.jpg")});
   const auto as_jpeg = beside(text, {.image_format = texmap::ImageFormat::kJpeg});
+  ASSERT_EQ(as_jpeg.size(), 2u);
   EXPECT_EQ(as_jpeg[0].name, "s_0.jpg");
   EXPECT_EQ(as_jpeg[0].bytes,
             texmap::encode_image(texmap::read_image(folder / "a.png", texmap::ColorSpace::kSrgb),
                                  texmap::ImageFormat::kJpeg));
   EXPECT_EQ(as_jpeg[1].bytes, jpeg);
   const auto as_png = beside(text, {.image_format = texmap::ImageFormat::kPng});
+  ASSERT_EQ(as_png.size(), 2u);
   EXPECT_EQ(as_png[0].bytes, png);
   EXPECT_EQ(as_png[1].name, "s_1.png");
 }
@@ -158,7 +160,7 @@ TEST_F(GltfImagesTest, ContainersHoldImagesWhereTheyAreAskedFor) {
   EXPECT_EQ(root["images"][0]["mimeType"], "image/png");
   const json& view = root["bufferViews"][root["images"][0]["bufferView"].get<std::size_t>()];
   EXPECT_TRUE(std::equal(png.begin(), png.end(),
-                         gltf.files[0].bytes.begin() + view["byteOffset"].get<std::ptrdiff_t>()));
+                         gltf.files[0].bytes.begin() + view.value("byteOffset", std::ptrdiff_t{0})));
 }
 
 TEST_F(GltfImagesTest, EqualImagesAreOne) {
@@ -211,7 +213,7 @@ TEST_F(GltfImagesTest, AStoreChangesNothing) {
   const Plan needs = plan(document, {.product = Request::Product::kMeshFile});
   ImageStore store;
   for (const int most : {0, 20, 0}) {
-    const GltfOptions options{.images = &store, .max_texture = most};
+    const GltfOptions options{.max_texture = most, .images = &store};
     const GltfFile stored = make_gltf(build(document, needs, &store).scene, needs, "s.glb", options);
     EXPECT_EQ(stored.files[0].bytes, file(text, "s.glb", {.max_texture = most}).files[0].bytes) << most;
   }

@@ -320,6 +320,79 @@ TEST(Gltf, MaterialsWithEqualTermsAreOne) {
   EXPECT_EQ(root["meshes"][0]["primitives"][0]["material"], root["meshes"][1]["primitives"][0]["material"]);
 }
 
+TEST(Gltf, ObjectsOfOneShapeShareItsArraysAndKeepTheirNames) {
+  const auto rod = [](const std::string& name, const std::string& more) {
+    return R"({"name": ")" + name + R"(", "sweep": {"contour": {"circle": {"radius": 0.1}},
+        "trajectory": {"line": [[0, 0, 0], [0, 1, 0]]}})" +
+           more + "}";
+  };
+  const Parsed parsed =
+      glb(scene_text(R"("materials": {"m": {"diffuse": [1, 0, 0]}})",
+                     rod("a", "") + ", " + rod("b", R"(, "translate": [1, 2, 3], "material": "m")")));
+  EXPECT_EQ(parsed.root["meshes"][1]["name"], "b");
+  EXPECT_EQ(parsed.primitive(0)["attributes"], parsed.primitive(1)["attributes"]);
+  EXPECT_EQ(parsed.primitive(0)["indices"], parsed.primitive(1)["indices"]);
+  EXPECT_NE(parsed.primitive(0)["material"], parsed.primitive(1)["material"]);
+  EXPECT_EQ(parsed.root["accessors"].size(), 4u);
+  EXPECT_EQ(parsed.root["bufferViews"].size(), 4u);
+}
+
+TEST(Gltf, APositionArrayThatEqualsTheNormalsHasBoundsAllTheSame) {
+  const std::vector<glm::vec3> units = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<glm::vec2> texcoords(3);
+  const std::vector<sweep::Triangle> triangles = {{0, 1, 2}};
+  Scene scene;
+  scene.meshes.push_back({units, units, texcoords, triangles, {}, {}, {}});
+  scene.objects.push_back({"a", 0, {}, glm::dmat4(1.0)});
+  const GltfFile file = make_gltf(scene, {}, "a.gltf", {});
+  const auto* first = reinterpret_cast<const char*>(file.files.back().bytes.data());
+  const json root = json::parse(first, first + file.files.back().bytes.size());
+  const json& position = root["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+  EXPECT_EQ(root["accessors"][position.get<std::size_t>()]["max"], (json{1.0, 1.0, 1.0}));
+}
+
+// Ten million metres away float32 counts in whole metres; about the object's own origin in nanometres.
+TEST(Gltf, FarFromTheOriginNothingIsLost) {
+  const auto rod = [](const std::string& at, const std::string& translate) {
+    return glb(scene_text("", R"({"name": "a", "translate": [)" + translate + R"(, 0, 0], "sweep": {
+        "contour": {"circle": {"radius": 0.01}}, "trajectory": {"line": [[)" +
+                                  at + ", 5, 7], [" + at + R"(, 6, 7]]}}})"));
+  };
+  const auto positions = [](const Parsed& parsed) {
+    return parsed.accessor<float>(parsed.primitive()["attributes"]["POSITION"]);
+  };
+  const Parsed near = rod("0", "0");
+  const auto wanted = positions(near);
+  for (const auto& [at, translate] :
+       {std::pair("10000000", "0"), std::pair("0", "10000000"), std::pair("10000000", "-10000000")}) {
+    const Parsed far = rod(at, translate);
+    const auto got = positions(far);
+    ASSERT_EQ(got.size(), wanted.size());
+    // Where they are in the world less where they would be near: double in the node, 2^-24 of 1 m in float32,
+    // and what 1e7 plus a hundredth loses in double, 2^-30.
+    const json zero = {0.0, 0.0, 0.0};
+    const json there = far.root["nodes"][0].value("translation", zero);
+    const json here = near.root["nodes"][0].value("translation", zero);
+    const double shift = std::stod(at) + std::stod(translate);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const double moved = there[i % 3].get<double>() - here[i % 3].get<double>() - (i % 3 == 0 ? shift : 0);
+      EXPECT_NEAR(got[i] + moved, wanted[i], 1.3e-7) << i;
+    }
+    // And no position is far from the mesh's own origin.
+    EXPECT_LT(std::abs(got[0]), 2);
+  }
+}
+
+TEST(Gltf, KeepsTheCopyright) {
+  EXPECT_EQ(glb(scene_text(""), {.copyright = "© 2026 \"A\""}).root["asset"]["copyright"], "© 2026 \"A\"");
+  try {
+    glb(scene_text(""), {.copyright = "\xff"});
+    FAIL() << "no UTF-8 was written";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem(), "the copyright is no UTF-8 text");
+  }
+}
+
 TEST(Gltf, OneObjectAlone) {
   const std::string text = scene_text(R"("materials": {"m": {}})", kVase + ", " + kFloor);
   const json root = glb(text, {.object = "floor"}).root;

@@ -80,7 +80,8 @@ void generate_one(const Generate& command) {
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 6> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 7> kGltfOptions = {{
+    {"--copyright", "copyright"},
     {"--tangents", "tangents"},
     {"--unlit", "materials without light"},
     {"--compatible", "extensions to do without"},
@@ -204,6 +205,9 @@ void add_generate(CLI::App& app) {
                "Colours and textures as they are, whatever the light (KHR_materials_unlit)");
   sub.add_flag("--compatible", command->is_compatible,
                "For viewers without extensions: none is used, and glass is blended with what is behind it");
+  sub.add_option("--copyright", command->gltf.copyright,
+                 "A line that the file keeps, such as \"2026 A. Potter\"")
+      ->type_name("TEXT");
   sub.add_option("--images", command->images,
                  "Where images go, embedded or separate; without it into a .glb, beside a .gltf")
       ->type_name("PLACE")
