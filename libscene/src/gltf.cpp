@@ -17,6 +17,7 @@
 #include "gltf_arrays.hpp"
 #include "gltf_buffer.hpp"
 #include "gltf_container.hpp"
+#include "gltf_extras.hpp"
 #include "gltf_material_entry.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
@@ -85,7 +86,8 @@ class Writer {
   }
 
   void add_files() {
-    GltfContainer container{.buffer_bytes = buffer_.bytes.size(), .is_indented = !is_binary_};
+    GltfContainer container{
+        .buffer_bytes = buffer_.bytes.size(), .extras = gltf_extras(options_), .is_indented = !is_binary_};
     if (is_binary_) {
       const std::string json = gltf_json(model_, container);
       result_.files.push_back({stem_ + ".glb", glb_bytes(json, std::move(buffer_.bytes))});

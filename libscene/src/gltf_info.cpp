@@ -6,11 +6,10 @@
 
 #include "sweepkit/scene/gltf_info.hpp"
 
-#include <fstream>
 #include <optional>
 #include <span>
-#include <sstream>
 
+#include "gltf_file.hpp"
 #include "image_header.hpp"
 #include "object_reader.hpp"
 #include "sweepkit/error.hpp"
@@ -18,55 +17,9 @@
 namespace sweepkit::scene {
 namespace {
 
-using Bytes = std::span<const unsigned char>;
+using Bytes = std::span<const std::byte>;
 
 constexpr double kMostIndex = 4294967295.0;
-
-std::string read_bytes(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw InputError({.file = file.string()}, "is a folder");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError({.file = file.string()}, "no such file, or it cannot be read");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-std::uint32_t little_endian(Bytes bytes, std::size_t at) {
-  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
-         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
-}
-
-// A .glb: header, JSON chunk, and at most one binary chunk.
-struct Container {
-  std::string json;
-  std::string binary;
-};
-
-Container open_container(std::string content, const std::string& name) {
-  if (content.compare(0, 4, "glTF") != 0) return {std::move(content), {}};
-  const Bytes bytes(reinterpret_cast<const unsigned char*>(content.data()), content.size());
-  const auto fail = [&](const std::string& problem) { throw InputError({.file = name}, problem); };
-  if (bytes.size() < 20)
-    fail("is cut short: a .glb has at least 20 bytes, got " + std::to_string(bytes.size()));
-  if (little_endian(bytes, 4) != 2)
-    fail("is glTF version " + std::to_string(little_endian(bytes, 4)) + ", not 2");
-  const std::size_t length = little_endian(bytes, 8);
-  if (length > bytes.size()) {
-    fail("is cut short: it should have " + std::to_string(length) + " bytes, got " +
-         std::to_string(bytes.size()));
-  }
-  const std::size_t json_length = little_endian(bytes, 12);
-  if (json_length > bytes.size() - 20) fail("its JSON chunk reaches past the end of the file");
-  Container container{content.substr(20, json_length), {}};
-  const std::size_t next = 20 + json_length;
-  if (next + 8 <= bytes.size()) {
-    const std::size_t binary_length = little_endian(bytes, next);
-    if (binary_length > bytes.size() - next - 8) fail("its binary chunk reaches past the end of the file");
-    container.binary = content.substr(next + 8, binary_length);
-  }
-  return container;
-}
 
 // The arrays of a glTF file point at one another by index.
 class Reader {
@@ -176,13 +129,13 @@ class Reader {
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error) return image;
     image.bytes = size;
-    const std::string content = read_bytes(file);
-    set_size(image, Bytes(reinterpret_cast<const unsigned char*>(content.data()), content.size()));
+    const std::string content = read_whole_file(file);
+    set_size(image, std::as_bytes(std::span(content)));
     return image;
   }
 
   static void set_size(GltfInfo::Image& image, Bytes bytes) {
-    const ImageHeader header = image_header(std::as_bytes(bytes)).value_or(ImageHeader());
+    const ImageHeader header = image_header(bytes).value_or(ImageHeader());
     image.width = header.width;
     image.height = header.height;
   }
@@ -210,12 +163,11 @@ class Reader {
 }  // namespace
 
 GltfInfo read_gltf_info(const std::filesystem::path& file) {
-  std::string content = read_bytes(file);
+  std::string content = read_whole_file(file);
   const std::size_t bytes = content.size();
-  const Container container = open_container(std::move(content), file.string());
+  const GltfChunks container = split_gltf(std::move(content), file.string());
   const JsonDocument json = parse_json(container.json, file.string());
-  const Bytes binary(reinterpret_cast<const unsigned char*>(container.binary.data()),
-                     container.binary.size());
+  const Bytes binary = std::as_bytes(std::span(container.binary));
   GltfInfo info = Reader(Node(json.root, ""), file.parent_path(), binary).read();
   info.bytes = bytes;
   return info;

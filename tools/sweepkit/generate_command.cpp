@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 
 #include "commands.hpp"
@@ -14,6 +15,7 @@
 #include "plan_table.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/gltf.hpp"
+#include "sweepkit/scene/gltf_source.hpp"
 #include "sweepkit/scene/mesh_file.hpp"
 #include "sweepkit/scene/mesh_output.hpp"
 #include "sweepkit/scene/model.hpp"
@@ -54,7 +56,8 @@ void generate_one(const Generate& command) {
     check_model_name(output.file);
     scene::check_output(output.file);
   }
-  scene::Document document = read_scene(command.input);
+  const scene::SceneFile scene = open_scene(command.input);
+  scene::Document document = scene.document();
   if (!command.object.empty()) keep_object(document, command.object);
   const scene::Plan plan = scene::plan(document, model_request(output.file));
   if (output.file.empty()) {
@@ -66,7 +69,9 @@ void generate_one(const Generate& command) {
   const std::uint64_t factor = memory_factor(output.file);
   require_memory(command.input.name(), needed, factor * needed.bytes);
   limit_triangles(document, factor * scene::kLeastBytesATriangle);
-  const MadeFile made = make_file(document, plan, output.file, command.gltf, !output.is_quiet);
+  scene::GltfOptions options = command.gltf;
+  if (keeps_scene(command, output.file)) options.scene = scene.text();
+  const MadeFile made = make_file(document, plan, output.file, options, !output.is_quiet);
   warn(made.findings, output);
   if (output.explains) print({{}, {plan_table(plan, made.ledger)}}, output);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -80,7 +85,8 @@ void generate_one(const Generate& command) {
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 7> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
+    {"--no-extras", ""},
     {"--copyright", "copyright"},
     {"--tangents", "tangents"},
     {"--unlit", "materials without light"},
@@ -90,6 +96,23 @@ constexpr std::array<std::array<const char*, 2>, 7> kGltfOptions = {{
     {"--max-texture", ""},
 }};
 
+// A glTF made again from itself has its own options where no others are given.
+void take_options_of(const scene::GltfOptions& own, Generate& command) {
+  scene::GltfOptions& gltf = command.gltf;
+  const auto take = [&](std::initializer_list<const char*> options, auto& mine, const auto& theirs) {
+    const auto is_given = [&](const char* option) { return command.options->count(option) > 0; };
+    if (std::none_of(options.begin(), options.end(), is_given)) mine = theirs;
+  };
+  take({"--object"}, command.object, own.object.value_or(""));
+  take({"--bake-size"}, gltf.bake_size, own.bake_size);
+  take({"--tangents"}, gltf.has_tangents, own.has_tangents);
+  take({"--unlit", "--compatible"}, gltf.look, own.look);
+  take({"--images"}, gltf.images_in, own.images_in);
+  take({"--image-format"}, gltf.image_format, own.image_format);
+  take({"--max-texture"}, gltf.max_texture, own.max_texture);
+  take({"--copyright"}, gltf.copyright, own.copyright);
+}
+
 void settle_gltf_options(Generate& command) {
   scene::GltfOptions& gltf = command.gltf;
   if (command.is_unlit) gltf.look = scene::GltfLook::kUnlit;
@@ -98,6 +121,10 @@ void settle_gltf_options(Generate& command) {
   if (command.images == "separate") gltf.images_in = scene::GltfImages::kSeparate;
   if (command.image_format == "png") gltf.image_format = texmap::ImageFormat::kPng;
   if (command.image_format == "jpg") gltf.image_format = texmap::ImageFormat::kJpeg;
+  if (scene::is_gltf_name(command.input.file) && !scene::is_mesh_name(command.output.file)) {
+    take_options_of(scene::read_gltf_source(command.input.file).options, command);
+  }
+  if (!command.object.empty()) gltf.object = command.object;
 }
 
 void check_gltf_options(const Generate& command) {
@@ -122,10 +149,12 @@ void generate(const Generate& command) {
   }
   if (output.file.empty() && !output.explains) throw InputError("-o FILE is needed (or --explain)");
   check_gltf_options(command);
-  if (command.values.empty()) {
-    generate_one(command);
-  } else {
-    generate_each(command);
+  try {
+    command.values.empty() ? generate_one(command) : generate_each(command);
+  } catch (const InputError& error) {
+    const std::string hint = folder_hint(command.input, error);
+    if (hint.empty()) throw;
+    throw InputError(error.place(), error.problem() + hint);
   }
 }
 
@@ -137,6 +166,10 @@ void check_model_name(const std::string& file) {
   if (extension != ".glb" && extension != ".gltf") {
     throw InputError({.file = file}, "a model's name ends in .glb, .gltf, .obj, .ply, .stl or .off");
   }
+}
+
+bool keeps_scene(const Generate& command, const std::string& file) {
+  return !command.forgets_scene && !scene::is_mesh_name(file);
 }
 
 scene::Request model_request(const std::string& file) {
@@ -208,6 +241,8 @@ void add_generate(CLI::App& app) {
   sub.add_option("--copyright", command->gltf.copyright,
                  "A line that the file keeps, such as \"2026 A. Potter\"")
       ->type_name("TEXT");
+  sub.add_flag("--no-extras", command->forgets_scene,
+               "Without the scene, which the file else keeps so that it can be made again from itself");
   sub.add_option("--images", command->images,
                  "Where images go, embedded or separate; without it into a .glb, beside a .gltf")
       ->type_name("PLACE")
@@ -231,11 +266,15 @@ void add_generate(CLI::App& app) {
       "row's value in that column. A row that cannot be made is reported, the others are made, and\n"
       "the exit status is 2. --explain tells what any row needs and what all cost; without -o it\n"
       "reads every row and makes none.\n\n"
+      "A .glb or .gltf keeps the scene and these options, and can be the SCENE: it is made again with the\n"
+      "same bytes, or with what --set and other options change. Files that its scene names are looked for\n"
+      "from its own folder, or from --files-in.\n\n"
       "Without a scene file two curves and what else is wanted make one object.\n\n"
       "Examples:\n"
       "  sweepkit generate --contour circle:0.1 --trajectory helix:radius=1,pitch=0.3,turns=4 -o spring.glb\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json -o vase_and_cup.glb\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json --object vase -o vase.stl\n"
+      "  sweepkit generate spring.glb --set /objects/0/sweep/twist_deg=90 -o twisted.glb\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json --object vase --each samples/tables/vases.csv "
       "-o vase_{row}.glb");
   command->options = &sub;

@@ -37,8 +37,11 @@ struct GltfOptions {
   GltfImages images_in = GltfImages::kByContainer;
   /// PNG or JPEG for every image. None: a PNG or JPEG file that fits is copied as it is, others become PNG.
   std::optional<texmap::ImageFormat> image_format;
-  int max_texture = 0;           ///< larger images are made smaller; texels on a side, 0: as they are
-  std::string copyright;         ///< UTF-8; empty: none
+  int max_texture = 0;    ///< larger images are made smaller; texels on a side, 0: as they are
+  std::string copyright;  ///< UTF-8; empty: none
+  /// The scene's JSON (SceneFile::text()), kept in the file's extras with these options, where
+  /// read_gltf_source() finds them. Empty: nothing is kept.
+  std::string scene;
   ImageStore* images = nullptr;  ///< keeps encoded and baked images for the files to come
 };
 
@@ -56,9 +59,9 @@ struct GltfFile {
 /// has several instances the node has a child for each, and they share the mesh. .glb holds everything; .gltf
 /// has its buffer and images beside it, named for `file`. Positions are relative to each mesh's origin, which
 /// is in its node in double. Arrays, images and materials that are equal are written once, and a PNG or JPEG
-/// that needs no change is copied byte for byte. The same scene gives the same bytes. Throws InputError for an
-/// unknown object, one without triangles, one that an instance shears, a copyright that is no UTF-8, or a file
-/// over 2 GiB.
+/// that needs no change is copied byte for byte. The same scene gives the same bytes. Throws InputError for
+/// an unknown object, one without triangles, one that an instance shears, a copyright that is no UTF-8, or a
+/// file over 2 GiB.
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options);
 
