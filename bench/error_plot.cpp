@@ -66,6 +66,50 @@ void add_grid(std::string& svg, const Axis& x, const Axis& y) {
   });
 }
 
+struct Rect {
+  double left, top, right, bottom;
+
+  bool meets(const Rect& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+constexpr double kLetter = 5.8;  // of the labels, on average, and a line of them
+constexpr double kLine = 10;
+
+// Where labels go: beside their points, and on nothing that is there already.
+class Labels {
+ public:
+  void avoid(double x, double y) { taken_.push_back({x - 4, y - 4, x + 4, y + 4}); }
+
+  void add_to(std::string& svg, double x, double y, const PlotPoint& point, const char* color) {
+    const double width = kLetter * static_cast<double>(point.label.size());
+    for (double away = 0; away < 200; away += 3) {
+      for (const double side : {-1.0, 1.0}) {
+        for (const bool is_right : {true, false}) {
+          const double middle = y + side * (5 + away);
+          const double left = is_right ? x + 5 : x - 5 - width;
+          const Rect rect{left, middle - kLine / 2, left + width, middle + kLine / 2};
+          if (std::any_of(taken_.begin(), taken_.end(), [&](const Rect& t) { return t.meets(rect); }) ||
+              left < kLeft)
+            continue;
+          taken_.push_back(rect);
+          if (away > 6) {
+            add(svg, "<path d='M%.1f %.1fL%.1f %.1f' stroke='%s' stroke-width='0.5'/>\n", x, y,
+                is_right ? left : left + width, middle, color);
+          }
+          add(svg, "<text x='%.1f' y='%.1f' fill='%s' font-size='10'>%s</text>\n", left, middle + 3.5, color,
+              point.label.c_str());
+          return;
+        }
+      }
+    }
+  }
+
+ private:
+  std::vector<Rect> taken_;
+};
+
 }  // namespace
 
 std::string error_plot(const std::string& title, const std::vector<PlotCurve>& curves) {
@@ -83,6 +127,10 @@ std::string error_plot(const std::string& title, const std::vector<PlotCurve>& c
   add(svg,
       "<text transform='translate(16 %.1f) rotate(-90)' text-anchor='middle'>RMSE, linear light</text>\n",
       0.5 * (y.from + y.to));
+  Labels labels;
+  for (const PlotCurve& curve : curves) {
+    for (const PlotPoint& point : curve.points) labels.avoid(x.place(point.seconds), y.place(point.error));
+  }
   double name_y = kTop + 10;
   for (const PlotCurve& curve : curves) {
     const char* color = curve.color.c_str();
@@ -94,10 +142,8 @@ std::string error_plot(const std::string& title, const std::vector<PlotCurve>& c
     for (const PlotPoint& point : curve.points) {
       const double at_x = x.place(point.seconds);
       const double at_y = y.place(point.error);
-      add(svg,
-          "<circle cx='%.1f' cy='%.1f' r='3.5' fill='%s'/><text x='%.1f' y='%.1f' fill='%s' "
-          "font-size='10'>%s</text>\n",
-          at_x, at_y, color, at_x + 5, at_y - 5, color, point.label.c_str());
+      add(svg, "<circle cx='%.1f' cy='%.1f' r='3.5' fill='%s'/>\n", at_x, at_y, color);
+      labels.add_to(svg, at_x, at_y, point, color);
     }
     add(svg, "<circle cx='%.1f' cy='%.1f' r='4' fill='%s'/><text x='%.1f' y='%.1f'>%s</text>\n", x.to + 20,
         name_y - 4, color, x.to + 30, name_y, curve.name.c_str());
