@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "sweepkit/scene/document.hpp"
 
+#include "json_text.hpp"
 #include "object_reader.hpp"
 #include "read_look.hpp"
 #include "read_objects.hpp"
@@ -86,7 +87,10 @@ SceneFile::SceneFile(const std::filesystem::path& file)
     : SceneFile(read_text_file(file, kLargestScene, "a scene file"), file) {}
 
 SceneFile::SceneFile(const std::string& text, const std::filesystem::path& file)
-    : json_(std::make_unique<JsonDocument>(parse_json(text, file.string()))), folder_(file.parent_path()) {}
+    : SceneFile(text, file, file.parent_path()) {}
+
+SceneFile::SceneFile(const std::string& text, const std::filesystem::path& file, std::filesystem::path folder)
+    : json_(std::make_unique<JsonDocument>(parse_json(text, file.string()))), folder_(std::move(folder)) {}
 
 SceneFile::SceneFile(SceneFile&&) noexcept = default;
 SceneFile& SceneFile::operator=(SceneFile&&) noexcept = default;
@@ -102,6 +106,15 @@ Document SceneFile::document(std::span<const Setting> settings) const {
   JsonDocument changed{{}, json_->root};
   for (const Setting& setting : settings) apply_setting(changed, setting);
   return read_document(changed, folder_);
+}
+
+std::string SceneFile::text(std::span<const Setting> settings) const {
+  JsonDocument changed{{}, json_->root};
+  for (const Setting& setting : settings) apply_setting(changed, setting);
+  if (auto* members = std::get_if<JsonValue::Object>(&changed.root.data)) {
+    std::erase_if(*members, [](const JsonMember& member) { return member.key == "$schema"; });
+  }
+  return json_text(changed.root);
 }
 
 void SceneFile::check_pointer(const std::string& pointer, const Place& place) const {

@@ -6,95 +6,20 @@
 
 #include "sweepkit/scene/gltf_info.hpp"
 
-#include <fstream>
 #include <optional>
 #include <span>
-#include <sstream>
 
+#include "gltf_file.hpp"
+#include "image_header.hpp"
 #include "object_reader.hpp"
 #include "sweepkit/error.hpp"
 
 namespace sweepkit::scene {
 namespace {
 
-using Bytes = std::span<const unsigned char>;
+using Bytes = std::span<const std::byte>;
 
 constexpr double kMostIndex = 4294967295.0;
-
-std::string read_bytes(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw InputError({.file = file.string()}, "is a folder");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError({.file = file.string()}, "no such file, or it cannot be read");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-std::uint32_t little_endian(Bytes bytes, std::size_t at) {
-  return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 |
-         static_cast<std::uint32_t>(bytes[at + 3]) << 24;
-}
-
-std::uint32_t big_endian(Bytes bytes, std::size_t at, int count) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < count; ++i) value = value << 8 | bytes[at + static_cast<std::size_t>(i)];
-  return value;
-}
-
-// A .glb: header, JSON chunk, and at most one binary chunk.
-struct Container {
-  std::string json;
-  std::string binary;
-};
-
-Container open_container(std::string content, const std::string& name) {
-  if (content.compare(0, 4, "glTF") != 0) return {std::move(content), {}};
-  const Bytes bytes(reinterpret_cast<const unsigned char*>(content.data()), content.size());
-  const auto fail = [&](const std::string& problem) { throw InputError({.file = name}, problem); };
-  if (bytes.size() < 20)
-    fail("is cut short: a .glb has at least 20 bytes, got " + std::to_string(bytes.size()));
-  if (little_endian(bytes, 4) != 2)
-    fail("is glTF version " + std::to_string(little_endian(bytes, 4)) + ", not 2");
-  const std::size_t length = little_endian(bytes, 8);
-  if (length > bytes.size()) {
-    fail("is cut short: it should have " + std::to_string(length) + " bytes, got " +
-         std::to_string(bytes.size()));
-  }
-  const std::size_t json_length = little_endian(bytes, 12);
-  if (json_length > bytes.size() - 20) fail("its JSON chunk reaches past the end of the file");
-  Container container{content.substr(20, json_length), {}};
-  const std::size_t next = 20 + json_length;
-  if (next + 8 <= bytes.size()) {
-    const std::size_t binary_length = little_endian(bytes, next);
-    if (binary_length > bytes.size() - next - 8) fail("its binary chunk reaches past the end of the file");
-    container.binary = content.substr(next + 8, binary_length);
-  }
-  return container;
-}
-
-struct Size {
-  int width = 0, height = 0;
-};
-
-// PNG: the IHDR chunk comes first. JPEG: the first start-of-frame segment.
-Size image_size(Bytes bytes) {
-  static constexpr unsigned char kPng[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  if (bytes.size() >= 24 && std::equal(std::begin(kPng), std::end(kPng), bytes.begin())) {
-    return {static_cast<int>(big_endian(bytes, 16, 4)), static_cast<int>(big_endian(bytes, 20, 4))};
-  }
-  if (bytes.size() < 4 || bytes[0] != 0xff || bytes[1] != 0xd8) return {};
-  for (std::size_t at = 2; at + 9 <= bytes.size() && bytes[at] == 0xff;) {
-    const unsigned char marker = bytes[at + 1];
-    const bool is_frame =
-        marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-    if (is_frame) {
-      return {static_cast<int>(big_endian(bytes, at + 7, 2)), static_cast<int>(big_endian(bytes, at + 5, 2))};
-    }
-    at += 2 + big_endian(bytes, at + 2, 2);
-  }
-  return {};
-}
 
 // The arrays of a glTF file point at one another by index.
 class Reader {
@@ -204,15 +129,15 @@ class Reader {
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error) return image;
     image.bytes = size;
-    const std::string content = read_bytes(file);
-    set_size(image, Bytes(reinterpret_cast<const unsigned char*>(content.data()), content.size()));
+    const std::string content = read_whole_file(file);
+    set_size(image, std::as_bytes(std::span(content)));
     return image;
   }
 
   static void set_size(GltfInfo::Image& image, Bytes bytes) {
-    const Size size = image_size(bytes);
-    image.width = size.width;
-    image.height = size.height;
+    const ImageHeader header = image_header(bytes).value_or(ImageHeader());
+    image.width = header.width;
+    image.height = header.height;
   }
 
   static std::string percent_decoded(const std::string& uri) {
@@ -238,12 +163,11 @@ class Reader {
 }  // namespace
 
 GltfInfo read_gltf_info(const std::filesystem::path& file) {
-  std::string content = read_bytes(file);
+  std::string content = read_whole_file(file);
   const std::size_t bytes = content.size();
-  const Container container = open_container(std::move(content), file.string());
+  const GltfChunks container = split_gltf(std::move(content), file.string());
   const JsonDocument json = parse_json(container.json, file.string());
-  const Bytes binary(reinterpret_cast<const unsigned char*>(container.binary.data()),
-                     container.binary.size());
+  const Bytes binary = std::as_bytes(std::span(container.binary));
   GltfInfo info = Reader(Node(json.root, ""), file.parent_path(), binary).read();
   info.bytes = bytes;
   return info;

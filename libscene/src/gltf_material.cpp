@@ -4,25 +4,132 @@
 // [Walter07] B. Walter, S. Marschner, H. Li, K. Torrance, "Microfacet models for refraction through rough
 // surfaces" (2007), for the width of a microfacet lobe that looks like a Blinn exponent n. A mirror of
 // Whitted's is perfectly sharp and its highlight is not; glTF has one roughness for both, so the sharper of
-// two guesses is taken.
+// two guesses is taken. Glass is looked through, so that its highlight gives way to a clear view.
 
 #include "gltf_material.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sweepkit::scene {
+namespace {
 
-GltfMaterial to_gltf(const Material& material) {
-  const glm::vec3 diffuse = glm::clamp(material.diffuse, 0.0f, 1.0f);
-  const float reflect = std::clamp(material.reflect, 0.0f, 1.0f);
-  if (reflect > std::max({diffuse.r, diffuse.g, diffuse.b})) return {glm::vec3(reflect), 1, 0, {}};
+constexpr float kUsualIor = 1.5f;  // what glTF takes where none is written
+constexpr float kUsualMirror = 0.04f;
+
+float max_of(const glm::vec3& color) {
+  return std::max({color.r, color.g, color.b});
+}
+
+// F0, the mirrored share at right angles; the same from inside and outside.
+float mirror_of(float ior) {
+  const float root = (ior - 1) / (ior + 1);
+  return root * root;
+}
+
+float highlight_roughness(const Material& material) {
   const bool has_highlight = material.specular != glm::vec3(0.0f);
-  const float roughness = has_highlight ? std::pow(2 / (material.shininess + 2), 0.25f) : 1.0f;
-  if (reflect == 0) return {diffuse, 0, roughness, {}};
+  return has_highlight ? std::pow(2 / (material.shininess + 2), 0.25f) : 1.0f;
+}
+
+// What is mirrored, with `ior` already settled.
+void set_mirror(GltfMaterial& terms, const Material& material) {
+  const float ior = terms.ior.value_or(kUsualIor);
+  const float mirror = ior == kUsualIor ? kUsualMirror : mirror_of(ior);
+  if (material.fresnel != Fresnel::kNone) {
+    // Between equal indices nothing is mirrored, though glTF's edge would shine.
+    const float share = material.ior == 1 ? 0 : material.reflect;
+    if (share < 1) terms.specular = share;
+  } else if (material.reflect == 0 || mirror == 0) {
+    terms.specular = 0.0f;
+  } else {
+    terms.specular_color = material.reflect / mirror;
+  }
+}
+
+GltfMaterial opaque(const Material& material) {
+  const glm::vec3& diffuse = material.diffuse;
+  const bool has_fresnel = material.fresnel != Fresnel::kNone;
+  const bool is_mirror = material.reflect > 0 && !(has_fresnel && material.ior == 1);
+  GltfMaterial terms{.base_color = diffuse, .roughness = highlight_roughness(material)};
+  if (!is_mirror) return terms;
+  if (!has_fresnel && material.reflect > max_of(diffuse)) {
+    return {.base_color = glm::vec3(material.reflect), .metallic = 1, .roughness = 0};
+  }
   constexpr float kSharp = 0.25f;  // a reflection that can still be read
-  constexpr float kDielectric = 0.04f;
-  return {diffuse, 0, std::min(roughness, kSharp), reflect / kDielectric};
+  terms.roughness = std::min(terms.roughness, kSharp);
+  if (has_fresnel) {
+    const float ior = std::max(material.ior, 1 / material.ior);
+    if (ior != kUsualIor) terms.ior = ior;
+  }
+  set_mirror(terms, material);
+  return terms;
+}
+
+GltfVolume volume_of(const Material& material, double thickness) {
+  GltfVolume volume{.thickness = static_cast<float>(thickness)};
+  const float strongest = max_of(material.absorption);
+  if (strongest >= std::numeric_limits<float>::min()) {
+    volume.attenuation_distance = 1 / strongest;
+    volume.attenuation_color = glm::exp(-material.absorption / strongest);
+  }
+  return volume;
+}
+
+GltfMaterial glass(const Material& material, const GltfBody& body) {
+  const glm::vec3& d = material.diffuse;
+  const float t = material.transmit;
+  GltfMaterial terms{.base_color = glm::min(d + t, glm::vec3(1.0f)),
+                     .roughness = 0,
+                     .transmission = t / (t + (d.r + d.g + d.b) / 3),
+                     .is_double_sided = !body.thickness};
+  const bool is_denser = material.ior >= 1;
+  const bool has_absorption = material.absorption != glm::vec3(0.0f);
+  // glTF has no body thinner than what is round it: such a one is a wall without a body.
+  if (body.thickness && is_denser && (material.ior > 1 || has_absorption)) {
+    terms.volume = volume_of(material, *body.thickness);
+  }
+  const float ior = is_denser ? material.ior : 1 / material.ior;
+  if (ior != kUsualIor && (ior > 1 || terms.volume)) terms.ior = ior;
+  set_mirror(terms, material);
+  return terms;
+}
+
+// Over a background b it looks alpha * base + (1 - alpha) b; Whitted's looks d + through * b. Equal in alpha
+// where through is grey; where it is not, alpha is what the darkest channel needs, and over white the colour
+// is equal.
+GltfMaterial blended(const Material& material, const GltfBody& body) {
+  const float mirror = material.fresnel == Fresnel::kNone ? 0 : mirror_of(material.ior);
+  const auto metres = static_cast<float>(body.thickness.value_or(0) * body.scale);
+  const glm::vec3 through = material.transmit * (1 - mirror) * glm::exp(-material.absorption * metres);
+  const float least = std::min({through.r, through.g, through.b});
+  GltfMaterial terms{.alpha = 1 - least, .roughness = highlight_roughness(material)};
+  terms.base_color = least < 1 ? (material.diffuse + through - least) / (1 - least) : glm::vec3(0.0f);
+  terms.is_double_sided = !body.thickness;
+  return terms;
+}
+
+}  // namespace
+
+GltfMaterial to_gltf(const Material& given, GltfLook look, const GltfBody& body) {
+  Material material = given;
+  material.diffuse = glm::clamp(given.diffuse, 0.0f, 1.0f);
+  material.reflect = std::clamp(given.reflect, 0.0f, 1.0f);
+  material.transmit = std::clamp(given.transmit, 0.0f, 1.0f);
+  const bool is_glass = material.transmit > 0;
+  if (look == GltfLook::kFull) return is_glass ? glass(material, body) : opaque(material);
+  GltfMaterial terms = is_glass ? blended(material, body) : opaque(material);
+  terms.base_color = glm::clamp(terms.base_color, 0.0f, 1.0f);
+  terms.specular.reset();
+  terms.specular_color.reset();
+  terms.ior.reset();
+  if (look == GltfLook::kUnlit) {
+    terms.is_unlit = true;
+    terms.metallic = 0;
+    terms.roughness = 1;
+  }
+  return terms;
 }
 
 }  // namespace sweepkit::scene

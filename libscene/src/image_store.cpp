@@ -7,12 +7,17 @@
 #include "sweepkit/scene/image_store.hpp"
 
 #include <algorithm>
+#include <array>
 #include <deque>
+#include <fstream>
 #include <mutex>
+#include <span>
 #include <utility>
 #include <variant>
 
+#include "sweepkit/error.hpp"
 #include "sweepkit/texmap/bake.hpp"
+#include "sweepkit/texmap/shrink.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -33,7 +38,13 @@ struct BakeKey {
   bool operator==(const BakeKey&) const = default;
 };
 
-using Key = std::variant<FileKey, BakeKey>;
+// A file as it is, not decoded.
+struct BytesKey {
+  std::filesystem::path file;
+  bool operator==(const BytesKey&) const = default;
+};
+
+using Key = std::variant<FileKey, BakeKey, BytesKey>;
 
 using Bytes = std::vector<std::byte>;
 
@@ -41,12 +52,30 @@ struct Entry {
   Key key;
   std::mutex filling;
   std::shared_ptr<const texmap::Image> image;
-  std::shared_ptr<const Bytes> png;
+  std::shared_ptr<const Bytes> file;
+  ImageForm form;         // of `file`, where it was encoded
   std::size_t bytes = 0;  // of both, under the shelf's lock
 };
 
-std::shared_ptr<const Bytes> encode(const texmap::Image& image) {
-  return std::make_shared<const Bytes>(texmap::encode_image(image, texmap::ImageFormat::kPng));
+std::shared_ptr<const Bytes> encode(const texmap::Image& image, const ImageForm& form) {
+  const glm::ivec2 size(image.width, image.height);
+  const glm::ivec2 fitting = form.most_texels > 0 ? texmap::fitting_size(size, form.most_texels) : size;
+  return std::make_shared<const Bytes>(
+      fitting == size ? texmap::encode_image(image, form.format)
+                      : texmap::encode_image(texmap::shrink(image, fitting), form.format));
+}
+
+Bytes read_bytes(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  Bytes bytes;
+  std::array<char, std::size_t{1} << 16> block;
+  while (stream) {
+    stream.read(block.data(), block.size());
+    const auto read = std::as_bytes(std::span(block)).first(static_cast<std::size_t>(stream.gcount()));
+    bytes.insert(bytes.end(), read.begin(), read.end());
+  }
+  if (!stream.eof()) throw InputError({.file = file.string()}, "cannot be read");
+  return bytes;
 }
 
 }  // namespace
@@ -116,15 +145,27 @@ StoredImage ImageStore::bake(const texmap::Procedural& procedural, int size) {
   });
 }
 
-std::shared_ptr<const Bytes> ImageStore::png(const std::shared_ptr<const texmap::Image>& image) {
+std::shared_ptr<const Bytes> ImageStore::encoded(const std::shared_ptr<const texmap::Image>& image,
+                                                 const ImageForm& form) {
   const std::shared_ptr<Entry> entry = shelf_->entry_of(image);
-  if (!entry) return encode(*image);
+  if (!entry) return encode(*image, form);
   const std::lock_guard filling(entry->filling);
-  if (!entry->png) {
-    entry->png = encode(*image);
-    shelf_->grow(entry, entry->png->size());
+  if (!entry->file) {
+    entry->file = encode(*image, form);
+    entry->form = form;
+    shelf_->grow(entry, entry->file->size());
   }
-  return entry->png;
+  return entry->form == form ? entry->file : encode(*image, form);
+}
+
+std::shared_ptr<const Bytes> ImageStore::file_bytes(const std::filesystem::path& file) {
+  const std::shared_ptr<Entry> entry = shelf_->entry(BytesKey{file});
+  const std::lock_guard filling(entry->filling);
+  if (!entry->file) {
+    entry->file = std::make_shared<const Bytes>(read_bytes(file));
+    shelf_->grow(entry, entry->file->size());
+  }
+  return entry->file;
 }
 
 }  // namespace sweepkit::scene

@@ -192,6 +192,9 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
   for (std::size_t i = 0; i < document.textures.size(); ++i) {
     scene.textures.emplace_back();
     scene.texture_names.push_back(document.textures[i].name);
+    const auto* file = std::get_if<ImageEntry>(&document.textures[i].source);
+    scene.texture_sources.push_back(file != nullptr ? ImageSource{file->file, file->color_space}
+                                                    : ImageSource{});
     if (!plan.textures[i]) continue;
     scene.textures.back() =
         load_texture(document.textures[i], plan, has_samplers, images, model.ledger[Part::kTextures]);

@@ -87,7 +87,8 @@ ObjMaterials::Image ObjMaterials::write_image(const Object& object, std::size_t 
           .file = add_file(texmap::encode_image(mirrored_image(*image->image), texmap::ImageFormat::kPng)),
           .uv_factor = 0.5f};
     }
-    return {.file = add_file(*images_.png(image->image)), .is_clamped = image->wrap == texmap::Wrap::kClamp};
+    return {.file = add_file(*images_.encoded(image->image)),
+            .is_clamped = image->wrap == texmap::Wrap::kClamp};
   }
   const auto& procedural = std::get<texmap::Procedural>(scene_.textures[texture]);
   const auto count = [&](const texmap::Image& image) {
@@ -97,7 +98,7 @@ ObjMaterials::Image ObjMaterials::write_image(const Object& object, std::size_t 
   if (texmap::repeats_in_unit_square(procedural)) {
     const StoredImage baked = images_.bake(procedural, options_.bake_size);
     if (baked.is_new) count(*baked.image);
-    return {.file = add_file(*images_.png(baked.image))};
+    return {.file = add_file(*images_.encoded(baked.image))};
   }
   texmap::BakedTexture baked =
       bake_over(scene_.meshes[object.mesh], procedural, {options_.bake_size, options_.bake_size});

@@ -54,11 +54,11 @@ Usage usage_of(const Document& document) {
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",         "(u,v) layouts",    "textures",        "baked textures",    "integral tables",
-      "texture tiles",      "(u,v) at hits",    "filtered nodes",  "ray differentials", "row buffers",
-      "intersection trees", "refractions",      "shares by angle", "shadow rays",       "dimmed shadows",
-      "shadow edges",       "background image", "supersampling",   "refinement",        "layers",
-      "tree over objects"};
+      "half-edges",      "(u,v) layouts",      "textures",         "baked textures",  "glass thicknesses",
+      "integral tables", "texture tiles",      "(u,v) at hits",    "filtered nodes",  "ray differentials",
+      "row buffers",     "intersection trees", "refractions",      "shares by angle", "shadow rays",
+      "dimmed shadows",  "shadow edges",       "background image", "supersampling",   "refinement",
+      "layers",          "tree over objects"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -105,6 +105,11 @@ Plan plan(const Document& document, const Request& request) {
     row(Part::kBakes, is_bake,
         is_bake ? "it is what was asked for" : "a picture evaluates procedural textures where it hits them");
   }
+  row(Part::kThicknesses, is_mesh_file && request.has_thicknesses && usage.transmits,
+      !is_mesh_file             ? "no file of meshes is made"
+      : !usage.transmits        ? "no material in use transmits"
+      : request.has_thicknesses ? "materials in use transmit"
+                                : "the file cannot hold them");
   const char* no_image = "no image texture is used";
   const std::string filter = "the filter is " + std::string(texmap::filter_name(request.filter));
   picture_row(Part::kTables, has_tables, usage.has_image ? filter : no_image);

@@ -42,9 +42,9 @@ TEST_P(CurveOptions, MakeWhatTheSceneFileMakes) {
   workshop.write("ring.json", R"({"circle": {"radius": 0.1}})");
   workshop.write("scene.json",
                  scene_of(R"({"name": "sweep", "sweep": {)" + same.sweep + "}" + same.more + "}", same.rest));
-  const Outcome run = workshop.sweepkit(with({"generate", "-o", "options.glb"}, same.options));
+  const Outcome run = workshop.sweepkit(with({"generate", "-o", "options.glb", "--no-extras"}, same.options));
   ASSERT_EQ(run.status, 0) << run.err;
-  ASSERT_EQ(workshop.sweepkit({"generate", "scene.json", "-o", "scene.glb"}).status, 0);
+  ASSERT_EQ(workshop.sweepkit({"generate", "scene.json", "-o", "scene.glb", "--no-extras"}).status, 0);
   EXPECT_TRUE(workshop.read("options.glb") == workshop.read("scene.glb"));
 }
 

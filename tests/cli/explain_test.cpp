@@ -52,13 +52,12 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
       {"render", "ball.json", "-o", "ball.png", "--shadows", "hard", "--explain", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const auto parts = parts_of(run.out);
-  for (const char* name : {"half-edges",       "(u,v) layouts",      "textures",
-                           "baked textures",   "integral tables",    "texture tiles",
-                           "(u,v) at hits",    "filtered nodes",     "ray differentials",
-                           "row buffers",      "intersection trees", "refractions",
-                           "shares by angle",  "dimmed shadows",     "shadow edges",
-                           "background image", "supersampling",      "refinement",
-                           "layers",           "tree over objects"}) {
+  for (const char* name :
+       {"half-edges",       "(u,v) layouts",      "textures",      "baked textures",  "glass thicknesses",
+        "integral tables",  "texture tiles",      "(u,v) at hits", "filtered nodes",  "ray differentials",
+        "row buffers",      "intersection trees", "refractions",   "shares by angle", "dimmed shadows",
+        "shadow edges",     "background image",   "supersampling", "refinement",      "layers",
+        "tree over objects"}) {
     expect_left_out(parts, name);
   }
   EXPECT_EQ(parts.at("shadow rays").needed, "true");
@@ -80,8 +79,9 @@ TEST(Explain, OfASceneThatNeedsNearlyEverythingCountsAllButWhatGlassTablesAndRef
   ASSERT_EQ(run.status, 0) << run.err;
   for (const auto& [name, part] : parts_of(run.out)) {
     if (name == "half-edges" || name == "(u,v) layouts" || name == "baked textures" ||
-        name == "integral tables" || name == "refractions" || name == "shares by angle" ||
-        name == "dimmed shadows" || name == "background image" || name == "refinement") {
+        name == "glass thicknesses" || name == "integral tables" || name == "refractions" ||
+        name == "shares by angle" || name == "dimmed shadows" || name == "background image" ||
+        name == "refinement") {
       expect_left_out(parts_of(run.out), name);
     } else {
       EXPECT_EQ(part.needed, "true") << name;

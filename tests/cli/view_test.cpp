@@ -69,7 +69,7 @@ std::string decoded(const std::string& base64) {
 
 TEST_F(View, HoldsTheModelThatGenerateMakes) {
   make();
-  ASSERT_EQ(workshop_.sweepkit({"generate", "scene.json", "-o", "scene.glb"}).status, 0);
+  ASSERT_EQ(workshop_.sweepkit({"generate", "scene.json", "-o", "scene.glb", "--no-extras"}).status, 0);
   EXPECT_EQ(decoded(part(R"(<script id="model" type="application/octet-stream">)", "</script>")),
             workshop_.read("scene.glb"));
   EXPECT_EQ(part("<title>", "</title>"), "scene");

@@ -121,6 +121,137 @@ TEST(GltfMaterial, WhatReflectsMoreThanItScattersIsAMetal) {
   EXPECT_EQ(terms.base_color, glm::vec3(0.92f));
 }
 
+Material glass(float transmit, float ior, glm::vec3 absorption = glm::vec3(0)) {
+  Material material;
+  material.diffuse = glm::vec3(0);
+  material.transmit = transmit;
+  material.reflect = 1;
+  material.ior = ior;
+  material.absorption = absorption;
+  material.fresnel = Fresnel::kExact;
+  return material;
+}
+
+TEST(GltfMaterial, ClosedGlassRefractsAndIsSeenFromTheFront) {
+  const GltfMaterial terms = to_gltf(glass(1, 1.7f), GltfLook::kFull, {.thickness = 0.25});
+  EXPECT_EQ(terms.base_color, glm::vec3(1)) << "a black body would tint it black";
+  EXPECT_EQ(terms.transmission, 1);
+  EXPECT_EQ(terms.metallic, 0);
+  EXPECT_EQ(terms.roughness, 0);
+  EXPECT_EQ(terms.ior, 1.7f);
+  EXPECT_EQ(terms.alpha, 1) << "never blended too";
+  EXPECT_FALSE(terms.is_double_sided);
+  EXPECT_FALSE(terms.specular.has_value()) << "the index is the whole mirror";
+  ASSERT_TRUE(terms.volume.has_value());
+  EXPECT_EQ(*terms.volume, (GltfVolume{.thickness = 0.25f}));
+}
+
+TEST(GltfMaterial, OpenGlassIsAWallWithoutABody) {
+  const GltfMaterial terms = to_gltf(glass(1, 1.7f, glm::vec3(3)), GltfLook::kFull, {});
+  EXPECT_FALSE(terms.volume.has_value());
+  EXPECT_TRUE(terms.is_double_sided);
+  EXPECT_EQ(terms.transmission, 1);
+}
+
+// glTF scatters base (1 - transmission) and lets through base transmission.
+TEST(GltfMaterial, WhatGlassScattersAndLetsThroughIsWhitteds) {
+  for (const float d : {0.0f, 0.1f, 0.4f}) {
+    for (const float t : {0.2f, 0.6f}) {
+      Material material = glass(t, 1.5f);
+      material.diffuse = glm::vec3(d);
+      const GltfMaterial terms = to_gltf(material);
+      EXPECT_NEAR(terms.base_color.g * (1 - terms.transmission), d, 1e-6);
+      EXPECT_NEAR(terms.base_color.g * terms.transmission, t, 1e-6);
+    }
+  }
+}
+
+TEST(GltfMaterial, AbsorptionIsBeersLawOverAnyDistance) {
+  const glm::vec3 sigma(90, 38, 0);
+  const GltfMaterial terms = to_gltf(glass(1, 1.5f, sigma), GltfLook::kFull, {.thickness = 1});
+  ASSERT_TRUE(terms.volume.has_value());
+  for (const float metres : {0.001f, 0.02f, 0.1f}) {
+    for (glm::length_t k = 0; k < 3; ++k) {
+      const double ours =
+          std::pow(terms.volume->attenuation_color[k], metres / terms.volume->attenuation_distance);
+      // Float32: 6e-8 in the colour and the distance, times the exponent of at most 9.
+      EXPECT_NEAR(ours / std::exp(-static_cast<double>(sigma[k]) * metres), 1, 3e-6);
+    }
+    EXPECT_GT(terms.volume->attenuation_color.r, 0.36) << "far from what float32 or a viewer could round off";
+  }
+}
+
+TEST(GltfMaterial, WithoutFresnelGlassMirrorsItsShare) {
+  Material material = glass(0.6f, 1.5f);
+  material.fresnel = Fresnel::kNone;
+  material.reflect = 0.2f;
+  EXPECT_FLOAT_EQ(to_gltf(material).specular_color.value() * 0.04f, 0.2f);
+  material.ior = 2;  // F0 = 1/9
+  EXPECT_FLOAT_EQ(to_gltf(material).specular_color.value() / 9, 0.2f);
+  material.reflect = 0;
+  EXPECT_EQ(to_gltf(material).specular, 0.0f);
+}
+
+TEST(GltfMaterial, WithFresnelAShareIsAFactorOfTheMirror) {
+  Material material = glass(1, 1.35f);
+  material.reflect = 0.92f;
+  EXPECT_EQ(to_gltf(material).specular, 0.92f);
+  EXPECT_FALSE(to_gltf(material).specular_color.has_value());
+  material.ior = 1;
+  EXPECT_EQ(to_gltf(material).specular, 0.0f) << "equal indices mirror nothing, at the edge either";
+}
+
+TEST(GltfMaterial, AnOpaqueCoatByFresnelHasItsIndex) {
+  Material material = glass(0, 2);
+  material.diffuse = glm::vec3(0.5f);
+  const GltfMaterial terms = to_gltf(material);
+  EXPECT_EQ(terms.metallic, 0);
+  EXPECT_EQ(terms.ior, 2.0f);
+  EXPECT_EQ(terms.base_color, glm::vec3(0.5f));
+  EXPECT_LE(terms.roughness, 0.25f);
+}
+
+// glTF's index is at least 1. F0 is that of the turned-round index; a body thinner than air it cannot have.
+TEST(GltfMaterial, ABubbleIsAWall) {
+  const GltfMaterial terms = to_gltf(glass(1, 0.5f), GltfLook::kFull, {.thickness = 1});
+  EXPECT_EQ(terms.ior, 2.0f);
+  EXPECT_FALSE(terms.volume.has_value());
+}
+
+TEST(GltfMaterial, GlassThatOnlyDimsHasABodyAndStraightRays) {
+  const GltfMaterial terms = to_gltf(glass(1, 1, glm::vec3(2)), GltfLook::kFull, {.thickness = 1});
+  EXPECT_EQ(terms.ior, 1.0f);
+  EXPECT_TRUE(terms.volume.has_value());
+  const GltfMaterial clear = to_gltf(glass(1, 1), GltfLook::kFull, {.thickness = 1});
+  EXPECT_FALSE(clear.ior.has_value());
+  EXPECT_FALSE(clear.volume.has_value());
+}
+
+TEST(GltfMaterial, BlendedGlassLooksAsWhittedsOverWhite) {
+  Material material = glass(0.8f, 1.5f, glm::vec3(1, 3, 0.5f));
+  material.diffuse = glm::vec3(0.1f, 0.05f, 0.2f);
+  const GltfBody body{.thickness = 0.1, .scale = 2};
+  for (const GltfLook look : {GltfLook::kUnlit, GltfLook::kCompatible}) {
+    const GltfMaterial terms = to_gltf(material, look, body);
+    EXPECT_EQ(terms.transmission, 0) << "never both";
+    EXPECT_FALSE(terms.volume || terms.ior || terms.specular || terms.specular_color);
+    EXPECT_EQ(terms.is_unlit, look == GltfLook::kUnlit);
+    EXPECT_FALSE(terms.is_double_sided);
+    for (glm::length_t k = 0; k < 3; ++k) {
+      const float through = 0.8f * 0.96f * std::exp(-material.absorption[k] * 0.2f);
+      EXPECT_NEAR(terms.alpha * terms.base_color[k] + 1 - terms.alpha, material.diffuse[k] + through, 1e-6);
+    }
+  }
+  material = glass(0.7f, 1);
+  material.fresnel = Fresnel::kNone;
+  EXPECT_FLOAT_EQ(to_gltf(material, GltfLook::kCompatible).alpha, 0.3f) << "1 - transmit where nothing tints";
+}
+
+TEST(GltfMaterial, UnlitKeepsTheColourAlone) {
+  const GltfMaterial terms = to_gltf(material(glm::vec3(0.3f), glm::vec3(1), 30, 0.2f), GltfLook::kUnlit);
+  EXPECT_EQ(terms, (GltfMaterial{.base_color = glm::vec3(0.3f), .is_unlit = true}));
+}
+
 TEST(GltfMaterial, FactorsStayWithinTheFormat) {
   EXPECT_EQ(to_gltf(material(glm::vec3(2, -1, 0.5f), glm::vec3(0), 50, 0)).base_color, glm::vec3(1, 0, 0.5f));
 }

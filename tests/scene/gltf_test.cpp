@@ -12,76 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "scene_text.hpp"
+#include "parsed_gltf.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/model.hpp"
 
 namespace sweepkit::scene {
 namespace {
-
-using nlohmann::json;
-
-struct Parsed {
-  json root;
-  std::vector<std::byte> buffer;
-  GltfFile file;
-
-  const std::byte* view(std::size_t index) const {
-    return buffer.data() + root["bufferViews"][index].value("byteOffset", std::size_t{0});
-  }
-  template <class T>
-  std::vector<T> accessor(std::size_t index) const {
-    const json& accessor = root["accessors"][index];
-    const std::size_t per = accessor["type"] == "SCALAR" ? 1 : accessor["type"] == "VEC2" ? 2 : 3;
-    std::vector<T> values(accessor["count"].get<std::size_t>() * per);
-    std::memcpy(values.data(), view(accessor["bufferView"]), values.size() * sizeof(T));
-    return values;
-  }
-  const json& primitive(std::size_t mesh = 0) const { return root["meshes"][mesh]["primitives"][0]; }
-};
-
-std::uint32_t word(const std::vector<std::byte>& bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, bytes.data() + at, 4);
-  return value;
-}
-
-GltfFile make(const Model& model, const Document& document, const std::filesystem::path& file,
-              const GltfOptions& options = {.bake_size = 32}) {
-  return make_gltf(model.scene, plan(document, {.product = Request::Product::kMeshFile}), file, options);
-}
-
-GltfFile make(const std::string& text, const std::filesystem::path& file,
-              const GltfOptions& options = {.bake_size = 32}) {
-  const Document document = parse_document(text, SWEEPKIT_SAMPLES "/scenes/s.json");
-  return make(build(document, plan(document, {.product = Request::Product::kMeshFile})), document, file,
-              options);
-}
-
-Parsed glb(const std::string& text, const GltfOptions& options = {.bake_size = 32}) {
-  Parsed parsed;
-  parsed.file = make(text, "out.glb", options);
-  EXPECT_EQ(parsed.file.files.size(), 1u);
-  const std::vector<std::byte>& bytes = parsed.file.files.back().bytes;
-  EXPECT_EQ(word(bytes, 0), 0x46546C67u) << "glTF";
-  EXPECT_EQ(word(bytes, 4), 2u);
-  EXPECT_EQ(word(bytes, 8), bytes.size());
-  const std::size_t json_size = word(bytes, 12);
-  EXPECT_EQ(word(bytes, 16), 0x4E4F534Au) << "JSON";
-  EXPECT_EQ(json_size % 4, 0u);
-  const auto* text_at = reinterpret_cast<const char*>(bytes.data() + 20);
-  parsed.root = json::parse(text_at, text_at + json_size);
-  const std::size_t binary_at = 20 + json_size;
-  EXPECT_EQ(word(bytes, binary_at + 4), 0x004E4942u) << "BIN";
-  EXPECT_EQ(word(bytes, binary_at), bytes.size() - binary_at - 8);
-  EXPECT_EQ(bytes.size() % 4, 0u);
-  parsed.buffer.assign(bytes.begin() + static_cast<std::ptrdiff_t>(binary_at) + 8, bytes.end());
-  return parsed;
-}
-
-const std::string kVase =
-    R"({"name": "vase", "material": "m", "tessellation": {"contour": 10, "trajectory": 12},
-        "revolve": {"contour": {"bezier": [[0, 0], [0.1, 0], [0.1, 0.2]]}}})";
 
 TEST(Gltf, OneNodeOneMeshOnePrimitiveForEachObjectNamedForIt) {
   const Parsed parsed = glb(scene_text(R"("materials": {"m": {}})", kVase + ", " + kFloor));
@@ -313,6 +249,148 @@ TEST(Gltf, ExtensionsAreUsedOnlyByWhatReflectsAndNeverRequired) {
   EXPECT_FALSE(root.contains("extensionsRequired"));
   const json& factor = root["materials"][0]["extensions"]["KHR_materials_specular"]["specularColorFactor"];
   EXPECT_NEAR(factor[0].get<double>(), 7.5, 1e-6);
+}
+
+// Two glass balls of one material and unlike sizes, and a sheet of it.
+std::string glass_scene() {
+  const auto ball = [](const char* name, const char* radius) {
+    return R"({"name": ")" + std::string(name) +
+           R"(", "material": "glass", "revolve": {"contour": {"arc": {"from_deg": -90, "to_deg": 90, "radius": )" +
+           radius + "}}}}";
+  };
+  return scene_text(
+      R"("materials": {"glass": {"diffuse": [0, 0, 0], "transmit": 1, "reflect": 1, "ior": 1.6, "fresnel": "exact",
+                                 "absorption": [1, 2, 4]}})",
+      ball("small", "0.1") + ", " + ball("large", "0.2") +
+          R"(, {"name": "sheet", "material": "glass", "plane": {"size": [1, 1]}})");
+}
+
+TEST(Gltf, GlassTellsHowThickEachBodyIs) {
+  const Parsed parsed = glb(glass_scene());
+  const json& materials = parsed.root["materials"];
+  ASSERT_EQ(materials.size(), 3u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const json& volume = materials[i]["extensions"]["KHR_materials_volume"];
+    // 4 r / 3; 64 x 64 cells of a ball lack less than a hundredth of its radius.
+    const double radius = i == 0 ? 0.1 : 0.2;
+    EXPECT_NEAR(volume["thicknessFactor"].get<double>(), 4 * radius / 3, 0.01 * radius);
+    EXPECT_EQ(volume["attenuationDistance"].get<double>(), 0.25);
+    EXPECT_FALSE(materials[i].contains("doubleSided"));
+    EXPECT_FALSE(materials[i].contains("alphaMode")) << "OPAQUE";
+  }
+  EXPECT_FALSE(materials[2]["extensions"].contains("KHR_materials_volume"));
+  EXPECT_EQ(materials[2]["doubleSided"], true);
+  EXPECT_EQ(parsed.root["extensionsUsed"],
+            (json{"KHR_materials_ior", "KHR_materials_transmission", "KHR_materials_volume"}));
+  EXPECT_FALSE(parsed.root.contains("extensionsRequired"));
+  EXPECT_EQ(parsed.file.ledger[Part::kThicknesses].calls, 3u);
+  EXPECT_GT(parsed.file.ledger[Part::kThicknesses].bytes, 0u);
+}
+
+TEST(Gltf, CompatibleGlassIsBlendedAndUsesNoExtension) {
+  const json root = glb(glass_scene(), {.look = GltfLook::kCompatible}).root;
+  EXPECT_FALSE(root.contains("extensionsUsed"));
+  for (const json& material : root["materials"]) {
+    EXPECT_EQ(material["alphaMode"], "BLEND");
+    EXPECT_FALSE(material.contains("extensions"));
+  }
+}
+
+TEST(Gltf, UnlitUsesThatExtensionAlone) {
+  const json root =
+      glb(scene_text(R"("materials": {"m": {"reflect": 0.3}})", kVase), {.look = GltfLook::kUnlit}).root;
+  EXPECT_EQ(root["extensionsUsed"], json{"KHR_materials_unlit"});
+  EXPECT_EQ(root["materials"][0]["extensions"], (json{{"KHR_materials_unlit", json::object()}}));
+}
+
+TEST(Gltf, WhatIsNotGlassIsNotMeasured) {
+  const Parsed parsed = glb(scene_text(R"("materials": {"m": {"reflect": 0.3}})", kVase));
+  EXPECT_EQ(parsed.file.ledger[Part::kThicknesses].calls, 0u);
+  EXPECT_EQ(parsed.file.ledger[Part::kThicknesses].bytes, 0u);
+}
+
+TEST(Gltf, MaterialsWithEqualTermsAreOne) {
+  const json root =
+      glb(scene_text(
+              R"("materials": {"m": {"reflect": 0.3}, "same": {"reflect": 0.3}, "other": {"reflect": 0.2}})",
+              kVase + R"(, {"name": "b", "material": "same", "plane": {"size": [1, 1]}},
+                                  {"name": "c", "material": "other", "plane": {"size": [1, 1]}})"))
+          .root;
+  ASSERT_EQ(root["materials"].size(), 2u);
+  EXPECT_EQ(root["meshes"][0]["primitives"][0]["material"], root["meshes"][1]["primitives"][0]["material"]);
+}
+
+TEST(Gltf, ObjectsOfOneShapeShareItsArraysAndKeepTheirNames) {
+  const auto rod = [](const std::string& name, const std::string& more) {
+    return R"({"name": ")" + name + R"(", "sweep": {"contour": {"circle": {"radius": 0.1}},
+        "trajectory": {"line": [[0, 0, 0], [0, 1, 0]]}})" +
+           more + "}";
+  };
+  const Parsed parsed =
+      glb(scene_text(R"("materials": {"m": {"diffuse": [1, 0, 0]}})",
+                     rod("a", "") + ", " + rod("b", R"(, "translate": [1, 2, 3], "material": "m")")));
+  EXPECT_EQ(parsed.root["meshes"][1]["name"], "b");
+  EXPECT_EQ(parsed.primitive(0)["attributes"], parsed.primitive(1)["attributes"]);
+  EXPECT_EQ(parsed.primitive(0)["indices"], parsed.primitive(1)["indices"]);
+  EXPECT_NE(parsed.primitive(0)["material"], parsed.primitive(1)["material"]);
+  EXPECT_EQ(parsed.root["accessors"].size(), 4u);
+  EXPECT_EQ(parsed.root["bufferViews"].size(), 4u);
+}
+
+TEST(Gltf, APositionArrayThatEqualsTheNormalsHasBoundsAllTheSame) {
+  const std::vector<glm::vec3> units = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<glm::vec2> texcoords(3);
+  const std::vector<sweep::Triangle> triangles = {{0, 1, 2}};
+  Scene scene;
+  scene.meshes.push_back({units, units, texcoords, triangles, {}, {}, {}});
+  scene.objects.push_back({"a", 0, {}, glm::dmat4(1.0)});
+  const GltfFile file = make_gltf(scene, {}, "a.gltf", {});
+  const auto* first = reinterpret_cast<const char*>(file.files.back().bytes.data());
+  const json root = json::parse(first, first + file.files.back().bytes.size());
+  const json& position = root["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
+  EXPECT_EQ(root["accessors"][position.get<std::size_t>()]["max"], (json{1.0, 1.0, 1.0}));
+}
+
+// Ten million metres away float32 counts in whole metres; about the object's own origin in nanometres.
+TEST(Gltf, FarFromTheOriginNothingIsLost) {
+  const auto rod = [](const std::string& at, const std::string& translate) {
+    return glb(scene_text("", R"({"name": "a", "translate": [)" + translate + R"(, 0, 0], "sweep": {
+        "contour": {"circle": {"radius": 0.01}}, "trajectory": {"line": [[)" +
+                                  at + ", 5, 7], [" + at + R"(, 6, 7]]}}})"));
+  };
+  const auto positions = [](const Parsed& parsed) {
+    return parsed.accessor<float>(parsed.primitive()["attributes"]["POSITION"]);
+  };
+  const Parsed near = rod("0", "0");
+  const auto wanted = positions(near);
+  for (const auto& [at, translate] :
+       {std::pair("10000000", "0"), std::pair("0", "10000000"), std::pair("10000000", "-10000000")}) {
+    const Parsed far = rod(at, translate);
+    const auto got = positions(far);
+    ASSERT_EQ(got.size(), wanted.size());
+    // Where they are in the world less where they would be near: double in the node, 2^-24 of 1 m in float32,
+    // and what 1e7 plus a hundredth loses in double, 2^-30.
+    const json zero = {0.0, 0.0, 0.0};
+    const json there = far.root["nodes"][0].value("translation", zero);
+    const json here = near.root["nodes"][0].value("translation", zero);
+    const double shift = std::stod(at) + std::stod(translate);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const double moved = there[i % 3].get<double>() - here[i % 3].get<double>() - (i % 3 == 0 ? shift : 0);
+      EXPECT_NEAR(got[i] + moved, wanted[i], 1.3e-7) << i;
+    }
+    // And no position is far from the mesh's own origin.
+    EXPECT_LT(std::abs(got[0]), 2);
+  }
+}
+
+TEST(Gltf, KeepsTheCopyright) {
+  EXPECT_EQ(glb(scene_text(""), {.copyright = "© 2026 \"A\""}).root["asset"]["copyright"], "© 2026 \"A\"");
+  try {
+    glb(scene_text(""), {.copyright = "\xff"});
+    FAIL() << "no UTF-8 was written";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem(), "the copyright is no UTF-8 text");
+  }
 }
 
 TEST(Gltf, OneObjectAlone) {

@@ -49,11 +49,11 @@ TEST(ImageStore, BakesAProceduralOnceForEachValueAndSize) {
 TEST(ImageStore, EncodesItsOwnImagesOnceAndTakesThoseOfOthers) {
   ImageStore store;
   const StoredImage own = store.read(kBands, kSrgb);
-  EXPECT_EQ(store.png(own.image), store.png(own.image)) << "the same bytes, not equal ones";
-  EXPECT_EQ(*store.png(own.image), texmap::encode_image(*own.image, texmap::ImageFormat::kPng));
+  EXPECT_EQ(store.encoded(own.image), store.encoded(own.image)) << "the same bytes, not equal ones";
+  EXPECT_EQ(*store.encoded(own.image), texmap::encode_image(*own.image, texmap::ImageFormat::kPng));
   const auto other = std::make_shared<const texmap::Image>(texmap::read_image(kBands, kSrgb));
-  EXPECT_NE(store.png(other), store.png(own.image));
-  EXPECT_EQ(*store.png(other), *store.png(own.image));
+  EXPECT_NE(store.encoded(other), store.encoded(own.image));
+  EXPECT_EQ(*store.encoded(other), *store.encoded(own.image));
 }
 
 TEST(ImageStore, AFaultIsToldToEveryoneWhoAsksAndAMendedFileIsRead) {
@@ -74,7 +74,7 @@ TEST(ImageStore, LetsTheOldestGoWhenItIsFull) {
   const StoredImage held = store.read(kBands, kSrgb);
   EXPECT_TRUE(store.read(kTiles, kSrgb).is_new);
   EXPECT_FALSE(store.read(kTiles, kSrgb).is_new);
-  EXPECT_FALSE(store.png(held.image)->empty()) << "what was let go is still whole for who holds it";
+  EXPECT_FALSE(store.encoded(held.image)->empty()) << "what was let go is still whole for who holds it";
   EXPECT_TRUE(store.read(kBands, kSrgb).is_new);
 
   ImageStore nothing(0);
@@ -101,7 +101,7 @@ TEST(ImageStore, ManyThreadsThatWantOneImageGetItFromOneRead) {
   for (std::size_t i = 0; i < images.size(); ++i) {
     threads.emplace_back([&, i] {
       images[i] = store.read(kBands, kSrgb);
-      encoded[i] = store.png(images[i].image);
+      encoded[i] = store.encoded(images[i].image);
     });
   }
   for (std::thread& thread : threads) thread.join();

@@ -148,7 +148,13 @@ TEST(Plan, SharesAtNodesNeedAnAngleThatTheyDependOn) {
 TEST(Plan, DimmedShadowsNeedALightAndWhatTransmits) {
   const Document lit = scene_of(R"("transmit": 0.5)", R"("lights": [{"point": [0, 1, 0]}], "depth": 0)");
   EXPECT_EQ(needed(lit, kPicture), (std::set{Part::kShadows, Part::kDimmedShadows}));
-  EXPECT_EQ(needed(lit, kFile), std::set<Part>{});
+}
+
+TEST(Plan, ThicknessesNeedGlassAndAFileThatTellsThem) {
+  const Document glass = scene_of(R"("transmit": 0.5)", R"("lights": [{"point": [0, 1, 0]}], "depth": 0)");
+  EXPECT_EQ(needed(glass, kFile), std::set{Part::kThicknesses});
+  EXPECT_EQ(needed(glass, {.product = Product::kMeshFile, .has_thicknesses = false}), std::set<Part>{});
+  EXPECT_EQ(needed(scene_of(R"("reflect": 0.5)"), kFile), std::set<Part>{});
 }
 
 TEST(Plan, ABackgroundImageIsForPicturesAlone) {

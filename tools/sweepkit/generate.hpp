@@ -12,6 +12,10 @@
 #include "sweepkit/scene/gltf.hpp"
 #include "sweepkit/scene/plan.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace sweepkit::tools {
 
 /// What `generate` was asked for.
@@ -22,10 +26,19 @@ struct Generate {
   std::string values;  ///< --each: a table of values, a file a row; empty: one file
   int threads = 0;     ///< for --each; 0: as many as the machine has
   scene::GltfOptions gltf;
+  bool forgets_scene = false;
+  bool is_unlit = false;
+  bool is_compatible = false;
+  std::string images;           ///< "embedded", "separate"; empty: by the container
+  std::string image_format;     ///< "png", "jpg"; empty: not said
+  CLI::App* options = nullptr;  ///< which were given
 };
 
 /// Refuses a name that is no model's. Throws InputError.
 void check_model_name(const std::string& file);
+
+/// Is a scene to be kept in this file?
+bool keeps_scene(const Generate& command, const std::string& file);
 
 /// What the plan needs to know of a file that is to be made; an empty name is a .glb.
 scene::Request model_request(const std::string& file);

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 
 #include "commands.hpp"
@@ -13,6 +15,7 @@
 #include "plan_table.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/gltf.hpp"
+#include "sweepkit/scene/gltf_source.hpp"
 #include "sweepkit/scene/mesh_file.hpp"
 #include "sweepkit/scene/mesh_output.hpp"
 #include "sweepkit/scene/model.hpp"
@@ -53,7 +56,8 @@ void generate_one(const Generate& command) {
     check_model_name(output.file);
     scene::check_output(output.file);
   }
-  scene::Document document = read_scene(command.input);
+  const scene::SceneFile scene = open_scene(command.input);
+  scene::Document document = scene.document();
   if (!command.object.empty()) keep_object(document, command.object);
   const scene::Plan plan = scene::plan(document, model_request(output.file));
   if (output.file.empty()) {
@@ -65,7 +69,9 @@ void generate_one(const Generate& command) {
   const std::uint64_t factor = memory_factor(output.file);
   require_memory(command.input.name(), needed, factor * needed.bytes);
   limit_triangles(document, factor * scene::kLeastBytesATriangle);
-  const MadeFile made = make_file(document, plan, output.file, command.gltf, !output.is_quiet);
+  scene::GltfOptions options = command.gltf;
+  if (keeps_scene(command, output.file)) options.scene = scene.text();
+  const MadeFile made = make_file(document, plan, output.file, options, !output.is_quiet);
   warn(made.findings, output);
   if (output.explains) print({{}, {plan_table(plan, made.ledger)}}, output);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -78,19 +84,77 @@ void generate_one(const Generate& command) {
       output);
 }
 
+// Options of glTF alone, and what other formats lack.
+constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
+    {"--no-extras", ""},
+    {"--copyright", "copyright"},
+    {"--tangents", "tangents"},
+    {"--unlit", "materials without light"},
+    {"--compatible", "extensions to do without"},
+    {"--images", ""},
+    {"--image-format", ""},
+    {"--max-texture", ""},
+}};
+
+// A glTF made again from itself has its own options where no others are given.
+void take_options_of(const scene::GltfOptions& own, Generate& command) {
+  scene::GltfOptions& gltf = command.gltf;
+  const auto take = [&](std::initializer_list<const char*> options, auto& mine, const auto& theirs) {
+    const auto is_given = [&](const char* option) { return command.options->count(option) > 0; };
+    if (std::none_of(options.begin(), options.end(), is_given)) mine = theirs;
+  };
+  take({"--object"}, command.object, own.object.value_or(""));
+  take({"--bake-size"}, gltf.bake_size, own.bake_size);
+  take({"--tangents"}, gltf.has_tangents, own.has_tangents);
+  take({"--unlit", "--compatible"}, gltf.look, own.look);
+  take({"--images"}, gltf.images_in, own.images_in);
+  take({"--image-format"}, gltf.image_format, own.image_format);
+  take({"--max-texture"}, gltf.max_texture, own.max_texture);
+  take({"--copyright"}, gltf.copyright, own.copyright);
+}
+
+void settle_gltf_options(Generate& command) {
+  scene::GltfOptions& gltf = command.gltf;
+  if (command.is_unlit) gltf.look = scene::GltfLook::kUnlit;
+  if (command.is_compatible) gltf.look = scene::GltfLook::kCompatible;
+  if (command.images == "embedded") gltf.images_in = scene::GltfImages::kEmbedded;
+  if (command.images == "separate") gltf.images_in = scene::GltfImages::kSeparate;
+  if (command.image_format == "png") gltf.image_format = texmap::ImageFormat::kPng;
+  if (command.image_format == "jpg") gltf.image_format = texmap::ImageFormat::kJpeg;
+  if (scene::is_gltf_name(command.input.file) && !scene::is_mesh_name(command.output.file)) {
+    take_options_of(scene::read_gltf_source(command.input.file).options, command);
+  }
+  if (!command.object.empty()) gltf.object = command.object;
+}
+
+void check_gltf_options(const Generate& command) {
+  if (command.is_unlit && command.is_compatible) {
+    throw InputError({.file = "--unlit"},
+                     "is an extension, and --compatible is for viewers that know none; leave one out");
+  }
+  if (command.output.is_standard() && command.gltf.images_in == scene::GltfImages::kSeparate) {
+    throw InputError({.file = "--images"}, "separate needs a folder, and -o - is standard output alone");
+  }
+  if (!scene::is_mesh_name(command.output.file)) return;
+  for (const auto& [option, lack] : kGltfOptions) {
+    if (command.options->count(option) == 0) continue;
+    throw InputError({.file = option}, std::string("is for .glb and .gltf: other formats hold no ") + lack);
+  }
+}
+
 void generate(const Generate& command) {
   const Output& output = command.output;
   if (output.is_json && !output.explains && command.values.empty()) {
     throw InputError({.file = "--json"}, "prints tables; add --explain or --each");
   }
   if (output.file.empty() && !output.explains) throw InputError("-o FILE is needed (or --explain)");
-  if (command.gltf.has_tangents && scene::is_mesh_name(output.file)) {
-    throw InputError({.file = "--tangents"}, "is for .glb and .gltf: other formats hold no tangents");
-  }
-  if (command.values.empty()) {
-    generate_one(command);
-  } else {
-    generate_each(command);
+  check_gltf_options(command);
+  try {
+    command.values.empty() ? generate_one(command) : generate_each(command);
+  } catch (const InputError& error) {
+    const std::string hint = folder_hint(command.input, error);
+    if (hint.empty()) throw;
+    throw InputError(error.place(), error.problem() + hint);
   }
 }
 
@@ -104,11 +168,16 @@ void check_model_name(const std::string& file) {
   }
 }
 
+bool keeps_scene(const Generate& command, const std::string& file) {
+  return !command.forgets_scene && !scene::is_mesh_name(file);
+}
+
 scene::Request model_request(const std::string& file) {
   const bool is_mesh = scene::is_mesh_name(file);
   return {.product = scene::Request::Product::kMeshFile,
           .has_textures = !is_mesh || scene::holds_textures(file),
-          .has_texcoords = !is_mesh || scene::holds_texcoords(file)};
+          .has_texcoords = !is_mesh || scene::holds_texcoords(file),
+          .has_thicknesses = !is_mesh};
 }
 
 MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
@@ -165,6 +234,28 @@ void add_generate(CLI::App& app) {
       ->check(CLI::Range(1, kMostTexels));
   sub.add_flag("--tangents", command->gltf.has_tangents,
                "A tangent with handedness at every vertex too, for normal maps in engines that make none");
+  sub.add_flag("--unlit", command->is_unlit,
+               "Colours and textures as they are, whatever the light (KHR_materials_unlit)");
+  sub.add_flag("--compatible", command->is_compatible,
+               "For viewers without extensions: none is used, and glass is blended with what is behind it");
+  sub.add_option("--copyright", command->gltf.copyright,
+                 "A line that the file keeps, such as \"2026 A. Potter\"")
+      ->type_name("TEXT");
+  sub.add_flag("--no-extras", command->forgets_scene,
+               "Without the scene, which the file else keeps so that it can be made again from itself");
+  sub.add_option("--images", command->images,
+                 "Where images go, embedded or separate; without it into a .glb, beside a .gltf")
+      ->type_name("PLACE")
+      ->check(CLI::IsMember({"embedded", "separate"}));
+  sub.add_option("--image-format", command->image_format,
+                 "Of all images, png or jpg; without it PNG and JPEG files are copied as they are and others "
+                 "become PNG")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"png", "jpg"}));
+  sub.add_option("--max-texture", command->gltf.max_texture,
+                 "Most texels on a side of an image; larger ones are made smaller")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostTexels));
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);
@@ -175,14 +266,22 @@ void add_generate(CLI::App& app) {
       "row's value in that column. A row that cannot be made is reported, the others are made, and\n"
       "the exit status is 2. --explain tells what any row needs and what all cost; without -o it\n"
       "reads every row and makes none.\n\n"
+      "A .glb or .gltf keeps the scene and these options, and can be the SCENE: it is made again with the\n"
+      "same bytes, or with what --set and other options change. Files that its scene names are looked for\n"
+      "from its own folder, or from --files-in.\n\n"
       "Without a scene file two curves and what else is wanted make one object.\n\n"
       "Examples:\n"
       "  sweepkit generate --contour circle:0.1 --trajectory helix:radius=1,pitch=0.3,turns=4 -o spring.glb\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json -o vase_and_cup.glb\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json --object vase -o vase.stl\n"
+      "  sweepkit generate spring.glb --set /objects/0/sweep/twist_deg=90 -o twisted.glb\n"
       "  sweepkit generate samples/scenes/vase_and_cup.json --object vase --each samples/tables/vases.csv "
       "-o vase_{row}.glb");
-  sub.callback([command] { generate(*command); });
+  command->options = &sub;
+  sub.callback([command] {
+    settle_gltf_options(*command);
+    generate(*command);
+  });
 }
 
 }  // namespace sweepkit::tools

@@ -141,12 +141,14 @@ class Batch {
     RowOutcome outcome{.row = row, .problem = jobs_[row].problem};
     if (!outcome.problem.empty()) return outcome;
     try {
-      scene::Document document = scene_.document(settings_of(table_, table_.rows[row]));
+      const std::vector<scene::Setting> settings = settings_of(table_, table_.rows[row]);
+      scene::Document document = scene_.document(settings);
       if (!command_.object.empty()) keep_object(document, command_.object);
       outcome.plan = scene::plan(document, model_request(jobs_[row].file));
       if (jobs_[row].file.empty()) return outcome;
       scene::GltfOptions options = command_.gltf;
       options.images = &images_;
+      if (keeps_scene(command_, jobs_[row].file)) options.scene = scene_.text(settings);
       outcome.made = make_file(document, outcome.plan, jobs_[row].file, options, false);
     } catch (const InputError& error) {
       outcome.problem = row_problem(table_, row, error);

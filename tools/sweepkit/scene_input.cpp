@@ -5,19 +5,47 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include "sweepkit/error.hpp"
+#include "sweepkit/scene/gltf_source.hpp"
 
 namespace sweepkit::tools {
 
 void add_scene_input(CLI::App& command, SceneInput& input) {
-  command.add_option("SCENE", input.file, "Scene file (JSON)")->type_name("");
+  command
+      .add_option("SCENE", input.file,
+                  "Scene file (JSON), or a .glb or .gltf that holds the scene it was made from")
+      ->type_name("");
   command
       .add_option("--set", input.settings,
                   "Change a value of the scene, such as /objects/0/revolve/angle_deg=270; may be repeated")
       ->type_name("POINTER=VALUE")
       ->allow_extra_args(false);
+  command
+      .add_option("--files-in", input.folder,
+                  "The folder that the scene in a .glb or .gltf names its files from; without it the "
+                  "glTF's own")
+      ->type_name("FOLDER");
   add_curve_options(command, input.curves);
+}
+
+namespace {
+
+scene::SceneFile open_file(const SceneInput& input) {
+  if (input.file.empty()) return make_scene(input.curves);
+  if (!scene::is_gltf_name(input.file)) return scene::SceneFile(input.file);
+  const std::filesystem::path file = input.file;
+  return {scene::read_gltf_source(file).scene, file,
+          input.folder.empty() ? file.parent_path() : std::filesystem::path(input.folder)};
+}
+
+}  // namespace
+
+std::string folder_hint(const SceneInput& input, const InputError& error) {
+  const bool is_missing = error.problem().find("no such file") != std::string::npos;
+  if (!is_missing || !input.folder.empty() || !scene::is_gltf_name(input.file)) return "";
+  return "; --files-in tells the folder of the scene that the glTF was made from";
 }
 
 scene::SceneFile open_scene(const SceneInput& input) {
@@ -38,7 +66,12 @@ scene::SceneFile open_scene(const SceneInput& input) {
     throw InputError({.file = input.file},
                      "is a scene file; beside one change values with --set, or leave it out");
   }
-  scene::SceneFile scene = input.file.empty() ? make_scene(input.curves) : scene::SceneFile(input.file);
+  if (!input.folder.empty() && !scene::is_gltf_name(input.file)) {
+    throw InputError({.file = "--files-in"},
+                     "is for the scene in a .glb or .gltf; a scene file's names are "
+                     "relative to it");
+  }
+  scene::SceneFile scene = open_file(input);
   for (const scene::Setting& setting : settings) scene.set(setting);
   return scene;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "curve_options.hpp"
+#include "sweepkit/error.hpp"
 #include "sweepkit/scene/document.hpp"
 
 namespace CLI {
@@ -17,7 +18,8 @@ namespace sweepkit::tools {
 
 /// The scene that a command works on: its file or what the options for curves make, changed by --set.
 struct SceneInput {
-  std::string file;
+  std::string file;    ///< a scene, or a glTF that holds the one it was made from
+  std::string folder;  ///< where the files are that the scene of a glTF names; empty: beside it
   CurveOptions curves;
   std::vector<std::string> settings;  ///< POINTER=VALUE
 
@@ -26,6 +28,9 @@ struct SceneInput {
 };
 
 void add_scene_input(CLI::App& command, SceneInput& input);
+
+/// Does a missing file that the scene names need to be looked for elsewhere? Then what to do, else "".
+std::string folder_hint(const SceneInput& input, const InputError& error);
 
 /// The file with --set done to it, for documents that differ in more values. Throws InputError: neither a
 /// file nor curves or both, a setting without "=", or what scene::SceneFile and make_scene() find.

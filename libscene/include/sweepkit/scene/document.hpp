@@ -139,6 +139,8 @@ class SceneFile {
   explicit SceneFile(const std::filesystem::path& file);
   /// The same from text; `file` names it in messages and is what file names are relative to.
   SceneFile(const std::string& text, const std::filesystem::path& file);
+  /// The same, with file names relative to another folder.
+  SceneFile(const std::string& text, const std::filesystem::path& file, std::filesystem::path folder);
   SceneFile(SceneFile&&) noexcept;
   SceneFile& operator=(SceneFile&&) noexcept;
   ~SceneFile();
@@ -149,6 +151,11 @@ class SceneFile {
   /// The scene with these values set, in order; the file itself stays as it is, so that any number of threads
   /// may ask at once. Throws InputError with file, line, column and JSON pointer.
   Document document(std::span<const Setting> settings = {}) const;
+
+  /// The scene with these values set as JSON on one line, without comments and $schema: the same for the
+  /// same scene however it is spaced. File names are as they stand. Throws InputError as document() does for
+  /// a setting.
+  std::string text(std::span<const Setting> settings = {}) const;
 
   /// A hash (XXH3 of 128 bits, hexadecimal) of all that the scene says, of the bytes of the files that it
   /// names, and of `more`. It is the same wherever the scene lies and however it is spaced. Throws InputError

@@ -10,16 +10,39 @@
 
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
+#include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
 
 class ImageStore;
 
+/// What the file asks of viewers. Nothing is ever required: a viewer without an extension shows less.
+enum class GltfLook {
+  kFull,        ///< mirrors, glass and indices of refraction by the KHR_materials extensions
+  kUnlit,       ///< colours and textures as they are, without light: KHR_materials_unlit
+  kCompatible,  ///< no extension at all; glass is blended with what is behind it
+};
+
+enum class GltfImages {
+  kByContainer,  ///< inside a .glb, beside a .gltf
+  kEmbedded,
+  kSeparate,
+};
+
 struct GltfOptions {
   std::optional<std::string> object;  ///< this object alone
   int bake_size = 1024;               ///< texels on a side of a baked procedural texture
   bool has_tangents = false;          ///< TANGENT for every vertex (sweepkit/sweep/tangents.hpp)
-  ImageStore* images = nullptr;       ///< keeps encoded and baked images for the files to come
+  GltfLook look = GltfLook::kFull;
+  GltfImages images_in = GltfImages::kByContainer;
+  /// PNG or JPEG for every image. None: a PNG or JPEG file that fits is copied as it is, others become PNG.
+  std::optional<texmap::ImageFormat> image_format;
+  int max_texture = 0;    ///< larger images are made smaller; texels on a side, 0: as they are
+  std::string copyright;  ///< UTF-8; empty: none
+  /// The scene's JSON (SceneFile::text()), kept in the file's extras with these options, where
+  /// read_gltf_source() finds them. Empty: nothing is kept.
+  std::string scene;
+  ImageStore* images = nullptr;  ///< keeps encoded and baked images for the files to come
 };
 
 struct NamedBytes {
@@ -29,13 +52,15 @@ struct NamedBytes {
 
 struct GltfFile {
   std::vector<NamedBytes> files;  ///< what stands beside (.bin, images), then the .glb or .gltf itself
-  Ledger ledger;                  ///< bakes
+  Ledger ledger;                  ///< bakes, thicknesses
 };
 
 /// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
-/// has several instances the node has a child for each, and they share the mesh. .glb holds
-/// everything; .gltf has its buffer and images beside it, named for `file`. The same scene gives the same
-/// bytes. Throws InputError for an unknown object, one without triangles, one that an instance shears, or a
+/// has several instances the node has a child for each, and they share the mesh. .glb holds everything; .gltf
+/// has its buffer and images beside it, named for `file`. Positions are relative to each mesh's origin, which
+/// is in its node in double. Arrays, images and materials that are equal are written once, and a PNG or JPEG
+/// that needs no change is copied byte for byte. The same scene gives the same bytes. Throws InputError for
+/// an unknown object, one without triangles, one that an instance shears, a copyright that is no UTF-8, or a
 /// file over 2 GiB.
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options);

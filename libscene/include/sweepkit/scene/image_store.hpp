@@ -19,6 +19,14 @@ struct StoredImage {
   bool is_new = false;  ///< read or baked by this call
 };
 
+/// An image as a file of that kind, made smaller where it is larger.
+struct ImageForm {
+  texmap::ImageFormat format = texmap::ImageFormat::kPng;
+  int most_texels = 0;  ///< on a side; 0: as large as it is
+
+  bool operator==(const ImageForm&) const = default;
+};
+
 /// Images that many scenes share: a file is read once, a procedural texture that repeats is baked once, and
 /// each is encoded once, however many scenes ask. A file is taken not to change meanwhile. Results are the
 /// same as without a store. Any number of threads may ask at once: those who want the same image wait for the
@@ -41,8 +49,12 @@ class ImageStore {
   /// texmap::repeats_in_unit_square().
   StoredImage bake(const texmap::Procedural& procedural, int size);
 
-  /// The image as a PNG file; kept where the image came from this store.
-  std::shared_ptr<const std::vector<std::byte>> png(const std::shared_ptr<const texmap::Image>& image);
+  /// The image as a file, sRGB; kept where the image came from this store, in one form.
+  std::shared_ptr<const std::vector<std::byte>> encoded(const std::shared_ptr<const texmap::Image>& image,
+                                                        const ImageForm& form = {});
+
+  /// A file's own bytes. Throws InputError if it cannot be read.
+  std::shared_ptr<const std::vector<std::byte>> file_bytes(const std::filesystem::path& file);
 
  private:
   struct Shelf;

@@ -21,6 +21,7 @@ enum class Part {
   kLayouts,        ///< (u,v) laid out over the texture for mesh files that have none
   kTextures,       ///< texture images read, procedural textures set up
   kBakes,          ///< procedural textures turned into images for a file
+  kThicknesses,    ///< how thick glass is, told in a file
   kTables,         ///< tables of integrals that the filter reads, and tiles of the texels they sum up
   kTiles,          ///< tiles of image textures and of their smaller copies
   kTexcoords,      ///< (u,v) interpolated at hits
@@ -72,6 +73,7 @@ struct Request {
   bool shows_texcoords = false;     ///< (u,v) is, of that
   bool has_textures = true;         ///< the mesh file made can hold textures
   bool has_texcoords = true;        ///< it can hold (u,v)
+  bool has_thicknesses = true;      ///< it can tell how thick glass is
   bool has_neighbours = true;       ///< footprints are made from the neighbouring pixels' hits
   bool has_differentials = true;    ///< where there are none, or at all, from the rays' derivatives
 };

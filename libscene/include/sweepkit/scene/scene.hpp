@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
@@ -14,6 +15,7 @@
 #include "sweepkit/scene/light.hpp"
 #include "sweepkit/scene/material.hpp"
 #include "sweepkit/sweep/grid_patch.hpp"
+#include "sweepkit/texmap/image_file.hpp"
 #include "sweepkit/texmap/texture.hpp"
 
 namespace sweepkit::scene {
@@ -42,11 +44,18 @@ struct Object {
   std::uint32_t instance = 0;
 };
 
+/// Where an image texture was read from.
+struct ImageSource {
+  std::filesystem::path file;  ///< empty: nowhere
+  texmap::ColorSpace color_space = texmap::ColorSpace::kSrgb;
+};
+
 /// Everything a picture or a file is made from, as plain data.
 struct Scene {
   std::vector<MeshView> meshes;
   std::vector<texmap::Texture> textures;  ///< a texture that nothing uses has no image
   std::vector<std::string> texture_names;
+  std::vector<ImageSource> texture_sources;  ///< by texture; none need be known
   std::vector<Material> materials;
   std::vector<Object> objects;  ///< each instance is one
   std::vector<Light> lights;

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// tinygltf's own file writing reports success for a full disk and a missing folder, and writes no images; its
+// binary writing copies the buffer twice. So it writes JSON to a stream, and the container is made here.
+
+#include "gltf_container.hpp"
+
+#include <sstream>
+#include <string_view>
+
+#include "sweepkit/error.hpp"
+
+namespace sweepkit::scene {
+
+std::string gltf_json(tinygltf::Model& model, const GltfContainer& container) {
+  std::ostringstream stream;
+  if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, stream, container.is_indented, false)) {
+    throw OutputError("the glTF could not be written");
+  }
+  std::string json = std::move(stream).str();
+  json.resize(json.find_last_of('}'));
+  const std::string_view newline = container.is_indented ? "\n  " : "";
+  while (json.back() == '\n' || json.back() == ' ') json.pop_back();
+  json += ',';
+  json += newline;
+  json += R"("buffers":[{"byteLength":)" + std::to_string(container.buffer_bytes);
+  if (!container.buffer_uri.empty()) json += R"(,"uri":")" + container.buffer_uri + '"';
+  json += "}]";
+  if (!container.extras.empty()) {
+    json += ',';
+    json += newline;
+    json += R"("extras":)" + container.extras;
+  }
+  json += container.is_indented ? "\n}\n" : "}";
+  return json;
+}
+
+std::vector<std::byte> glb_bytes(const std::string& json, std::vector<std::byte> buffer) {
+  const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
+  const std::size_t json_size = padded(json.size());
+  const std::size_t buffer_size = padded(buffer.size());
+  const std::size_t whole = 12 + 8 + json_size + 8 + buffer_size;
+  if (whole > 0xFFFFFFFFu) {
+    throw InputError("the file would be over 4 GiB, more than a .glb counts; ask for fewer objects or cells");
+  }
+  std::vector<std::byte> out;
+  out.reserve(whole);
+  const auto word = [&](std::size_t value) {
+    for (int i = 0; i < 4; ++i) out.push_back(static_cast<std::byte>((value >> (8 * i)) & 0xFF));
+  };
+  word(0x46546C67);  // "glTF"
+  word(2);
+  word(whole);
+  word(json_size);
+  word(0x4E4F534A);  // "JSON"
+  const auto* text = reinterpret_cast<const std::byte*>(json.data());
+  out.insert(out.end(), text, text + json.size());
+  out.resize(20 + json_size, std::byte{' '});
+  word(buffer_size);
+  word(0x004E4942);  // "BIN"
+  out.insert(out.end(), buffer.begin(), buffer.end());
+  buffer = {};
+  out.resize(whole);
+  return out;
+}
+
+}  // namespace sweepkit::scene

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "gltf_material_entry.hpp"
+
+namespace sweepkit::scene {
+namespace {
+
+tinygltf::Value number(float value) {
+  return tinygltf::Value(static_cast<double>(value));
+}
+
+tinygltf::Value color(const glm::vec3& value) {
+  return tinygltf::Value(tinygltf::Value::Array{number(value.r), number(value.g), number(value.b)});
+}
+
+}  // namespace
+
+tinygltf::Material material_entry(const std::string& name, const GltfMaterial& terms,
+                                  std::optional<int> texture, std::set<std::string>& extensions) {
+  tinygltf::Material entry;
+  entry.name = name;
+  entry.doubleSided = terms.is_double_sided;
+  if (terms.alpha < 1) entry.alphaMode = "BLEND";
+  tinygltf::PbrMetallicRoughness& pbr = entry.pbrMetallicRoughness;
+  pbr.baseColorFactor = {terms.base_color.r, terms.base_color.g, terms.base_color.b, terms.alpha};
+  pbr.metallicFactor = terms.metallic;
+  pbr.roughnessFactor = terms.roughness;
+  if (texture) pbr.baseColorTexture.index = *texture;
+
+  const auto extend = [&](const std::string& extension, tinygltf::Value::Object values) {
+    extensions.insert(extension);
+    entry.extensions[extension] = tinygltf::Value(std::move(values));
+  };
+  if (terms.specular || terms.specular_color) {
+    tinygltf::Value::Object values;
+    if (terms.specular) values["specularFactor"] = number(*terms.specular);
+    if (terms.specular_color) values["specularColorFactor"] = color(glm::vec3(*terms.specular_color));
+    extend("KHR_materials_specular", std::move(values));
+  }
+  if (terms.ior) extend("KHR_materials_ior", {{"ior", number(*terms.ior)}});
+  if (terms.transmission > 0) {
+    extend("KHR_materials_transmission", {{"transmissionFactor", number(terms.transmission)}});
+  }
+  if (terms.volume) {
+    tinygltf::Value::Object values{{"thicknessFactor", number(terms.volume->thickness)}};
+    if (terms.volume->attenuation_distance > 0) {
+      values["attenuationDistance"] = number(terms.volume->attenuation_distance);
+      values["attenuationColor"] = color(terms.volume->attenuation_color);
+    }
+    extend("KHR_materials_volume", std::move(values));
+  }
+  if (terms.is_unlit) extend("KHR_materials_unlit", {});
+  return entry;
+}
+
+}  // namespace sweepkit::scene

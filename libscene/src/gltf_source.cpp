@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+//
+// Writing and reading stand side by side, so that an option that is written is read.
+
+#include "sweepkit/scene/gltf_source.hpp"
+
+#include "gltf_extras.hpp"
+#include "gltf_file.hpp"
+#include "json_text.hpp"
+#include "object_reader.hpp"
+#include "sweepkit/error.hpp"
+
+namespace sweepkit::scene {
+namespace {
+
+const std::vector<std::string> kLooks = {"full", "unlit", "compatible"};            // by GltfLook
+const std::vector<std::string> kPlaces = {"by-container", "embedded", "separate"};  // by GltfImages
+const std::vector<std::string> kFormats = {"png", "jpg"};                           // by ImageFormat
+constexpr int kMostTexels = 32768;
+
+JsonValue value(std::string text) {
+  return {std::move(text), {}};
+}
+
+void read_options(const Node& node, GltfOptions& options) {
+  ObjectReader reader(node);
+  if (const auto object = reader.find("object")) options.object = object->text();
+  if (const auto size = reader.find("bake_size"))
+    options.bake_size = size->integer(1, kMostTexels, " texels");
+  if (const auto has = reader.find("tangents")) options.has_tangents = has->boolean();
+  if (const auto look = reader.find("look")) options.look = static_cast<GltfLook>(look->choice(kLooks));
+  if (const auto in = reader.find("images")) options.images_in = static_cast<GltfImages>(in->choice(kPlaces));
+  if (const auto format = reader.find("image_format")) {
+    options.image_format = static_cast<texmap::ImageFormat>(format->choice(kFormats));
+  }
+  if (const auto size = reader.find("max_texture"))
+    options.max_texture = size->integer(0, kMostTexels, " texels");
+  if (const auto text = reader.find("copyright")) options.copyright = text->text();
+  reader.finish();
+}
+
+}  // namespace
+
+std::string gltf_extras(const GltfOptions& options) {
+  if (options.scene.empty()) return "";
+  const GltfOptions usual;
+  JsonValue::Object members;
+  const auto add = [&](const char* key, JsonValue what) { members.push_back({key, {}, std::move(what)}); };
+  if (options.object) add("object", value(*options.object));
+  if (options.bake_size != usual.bake_size) add("bake_size", {static_cast<double>(options.bake_size), {}});
+  if (options.has_tangents) add("tangents", {true, {}});
+  if (options.look != usual.look) add("look", value(kLooks[static_cast<std::size_t>(options.look)]));
+  if (options.images_in != usual.images_in) {
+    add("images", value(kPlaces[static_cast<std::size_t>(options.images_in)]));
+  }
+  if (options.image_format) {
+    add("image_format", value(kFormats.at(static_cast<std::size_t>(*options.image_format))));
+  }
+  if (options.max_texture != usual.max_texture) {
+    add("max_texture", {static_cast<double>(options.max_texture), {}});
+  }
+  if (!options.copyright.empty()) add("copyright", value(options.copyright));
+  std::string extras = R"({"sweepkit":{"scene":)" + options.scene;
+  if (!members.empty()) extras += R"(,"options":)" + json_text({std::move(members), {}});
+  return extras + "}}";
+}
+
+bool is_gltf_name(const std::filesystem::path& file) {
+  return file.extension() == ".glb" || file.extension() == ".gltf";
+}
+
+GltfSource read_gltf_source(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  const JsonDocument json = parse_json(split_gltf(read_whole_file(file), name).json, name);
+  const std::optional<Node> extras = ObjectReader(Node(json.root, "")).find("extras");
+  const std::optional<Node> own =
+      extras && extras->is_object() ? ObjectReader(*extras).find("sweepkit") : std::nullopt;
+  if (!own) {
+    throw InputError({.file = name},
+                     "does not hold the scene that it was made from; give the scene file itself");
+  }
+  ObjectReader reader(*own);
+  GltfSource source{.scene = json_text(reader.get("scene").value())};
+  if (const auto options = reader.find("options")) read_options(*options, source.options);
+  reader.finish();
+  return source;
+}
+
+}  // namespace sweepkit::scene
