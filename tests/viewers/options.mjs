@@ -4,6 +4,7 @@
 // What `sweepkit generate` can be asked for that makes another glTF file, in one place: each line is a name for the
 // files and the options. A new option is a new line here; until it is one, the validator's test says so.
 import {execFileSync} from 'node:child_process';
+import {sweepkit} from './sweepkit.mjs';
 
 export const variants = [
   {name: 'plain', options: []},
@@ -19,6 +20,14 @@ export const variants = [
   {name: 'bare', options: ['--no-extras', '--copyright', '2026 Käthe "K" Töpfer']},
   {name: 'together', options: ['--unlit', '--tangents', '--images', 'separate', '--image-format', 'jpg', '--max-texture', '64']},
 ];
+
+/** Baked textures have so many texels a side, unless a variant says otherwise: enough to be looked at, and soon made. */
+export const bakeSize = 64;
+
+export function generateVariant(program, scene, file, {options}) {
+  const size = options.includes('--bake-size') ? [] : ['--bake-size', bakeSize];
+  sweepkit(program, 'generate', scene, '-o', file, '--quiet', ...size, ...options);
+}
 
 /** Options that ask for another scene, or for what is said, and not for another kind of file. */
 const besides = [

@@ -6,8 +6,8 @@
 import validator from 'gltf-validator';
 import {readFileSync} from 'node:fs';
 import {basename, dirname, join} from 'node:path';
-import {strangers, variants} from './options.mjs';
-import {awkwardScenes, freshFolder, sampleScenes, scenesIn, sweepkit} from './sweepkit.mjs';
+import {generateVariant, strangers, variants} from './options.mjs';
+import {awkwardScenes, freshFolder, sampleScenes, scenesIn} from './sweepkit.mjs';
 
 const [program, out, extent] = process.argv.slice(2);
 freshFolder(out);
@@ -44,8 +44,7 @@ for (const scene of [...scenesIn(sampleScenes), ...scenesIn(awkwardScenes)]) {
   for (const variant of isWhole ? variants : variants.slice(0, 1)) {
     for (const container of isWhole ? ['glb', 'gltf'] : ['glb']) {
       const file = join(out, `${name}_${variant.name}.${container}`);
-      const size = variant.options.includes('--bake-size') ? [] : ['--bake-size', '64'];
-      sweepkit(program, 'generate', scene, '-o', file, '--quiet', ...size, ...variant.options);
+      generateVariant(program, scene, file, variant);
       await validate(file);
     }
   }
