@@ -5,6 +5,7 @@ import {execFileSync} from 'node:child_process';
 import {readFileSync} from 'node:fs';
 import {dirname, extname, join} from 'node:path';
 import {chromium} from 'playwright-core';
+import pngjs from 'pngjs';
 import {fileURLToPath} from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -57,4 +58,10 @@ export async function withThree(folder, use) {
   } finally {
     await browser.close();
   }
+}
+
+/** What three_page.js's draw() draws for `request`, as a decoded picture. */
+export async function drawInThree(page, request) {
+  const url = await page.evaluate((given) => window.draw(given), request);
+  return pngjs.PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64'));
 }

@@ -10,7 +10,7 @@
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import pngjs from 'pngjs';
-import {withThree} from './browser.mjs';
+import {drawInThree, withThree} from './browser.mjs';
 import {freshFolder, sampleScenes, sweepkit, uncommented} from './sweepkit.mjs';
 
 const {PNG} = pngjs;
@@ -49,10 +49,7 @@ function drawOurObjects() {
 function drawTheirs(requests) {
   return withThree(out, async (page, urlOf) => {
     const pictures = [];
-    for (const request of requests) {
-      const url = await page.evaluate((given) => window.draw(given), {url: urlOf('vase_and_cup.glb'), ...request});
-      pictures.push(PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64')));
-    }
+    for (const request of requests) pictures.push(await drawInThree(page, {url: urlOf('vase_and_cup.glb'), ...request}));
     return pictures;
   });
 }
@@ -100,7 +97,7 @@ function difference(ours, theirs) {
 
 sweepkit(program, 'generate', sceneFile, '-o', join(out, 'vase_and_cup.glb'), '--quiet');
 const request = {width: kSize, height: kSize, background: [0, 0, 0]};
-const theirs = await drawTheirs([{...request, colors}, request]);
+const theirs = await drawTheirs([{...request, look: 'flat', colors}, {...request, look: 'base'}]);
 const noMirrors = Object.keys(scene.materials).flatMap((name) => ['--set', `/materials/${name}/reflect=0`]);
 const ours = [drawOurObjects(), renderOurs('textures_ours.png', noMirrors)];
 

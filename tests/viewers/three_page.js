@@ -23,29 +23,27 @@ function rendererOf(width, height) {
 }
 
 // three.js turns the spaces of a node's name into underscores.
-const nameOf = (node) => node.userData.name ?? node.name;
+const nameOf = (node) => node.userData.name ?? (node.parent.userData.name || node.name);
 
-// Draws a file with the camera that it holds, without light, so that each pixel is the colour of the surface there.
-// Either each object in a colour of its own, or each with its base colour and texture. Without a background it stays
+// Draws a file with the camera that it holds. "flat": each object in its colour of `colors`; "base": each with its base
+// colour and texture, without light; otherwise with the materials that the file has. Without a background it stays
 // transparent.
-window.draw = async ({url, width, height, background, colors}) => {
+window.draw = async ({url, width, height, background, look, colors}) => {
   const model = await load(url);
   const renderer = rendererOf(width, height);
   model.scene.traverse((node) => {
     if (!node.isMesh) return;
-    const {map, color, side, opacity, transparent, depthWrite} = node.material;
-    const flat = colors && colors[nameOf(node)];
+    const {map, color, side} = node.material;
     if (map) map.anisotropy = renderer.capabilities.getMaxAnisotropy();
-    node.material = flat ? new MeshBasicMaterial({color: new Color(...flat), side})
-                         : new MeshBasicMaterial({map, color, side, opacity, transparent, depthWrite});
+    if (look === 'flat') node.material = new MeshBasicMaterial({color: new Color(...colors[nameOf(node)]), side});
+    if (look === 'base') node.material = new MeshBasicMaterial({map, color, side});
   });
   const scene = new Scene();
   if (background) scene.background = new Color(...background);
   scene.add(model.scene);
   scene.updateMatrixWorld(true);
   const camera = model.cameras[0];
-  camera.aspect = width / height;
-  camera.updateProjectionMatrix();
+  if (!(Math.abs(camera.aspect * height - width) < 1e-3)) throw new Error(`the camera's aspect ratio is ${camera.aspect}`);
   renderer.setClearAlpha(background ? 1 : 0);
   renderer.render(scene, camera);
   return renderer.domElement.toDataURL('image/png');
