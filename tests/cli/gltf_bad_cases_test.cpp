@@ -49,7 +49,8 @@ TEST(GltfBadCases, NamesWithSpacesSlashesAndUmlautsAreWrittenAndToldOf) {
                  scene_of(R"({"name": "Käse / Brot #1", "material": "m", "plane": {"size": [1, 1]}})",
                           R"("textures": {"t / ä": {"procedural": "checker"}},
                                        "materials": {"m": {"texture": "t / ä"}})"));
-  const Outcome made = workshop.sweepkit({"generate", "s.json", "-o", "ä b%.gltf", "--quiet"});
+  const Outcome made =
+      workshop.sweepkit({"generate", "s.json", "-o", "ä b%.gltf", "--bake-size", "16", "--quiet"});
   EXPECT_EQ(made.status, 0) << made.err;
   for (const char* name : {"ä b%.gltf", "ä b%.bin", "ä b%_0.png"}) {
     EXPECT_TRUE(std::filesystem::exists(workshop.folder() / name)) << name;
