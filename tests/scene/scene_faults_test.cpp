@@ -128,16 +128,16 @@ TEST(SceneFaults, NormalMaps) {
   const std::string at = "s.json:3:";
   expect_messages({
       {with(R"({"normal_map": "j"})"),
-       at + "104: /materials/m/normal_map: there is no texture \"j\"; did you mean \"i\"?"},
-      {with(R"({"normal_map": "p"})"), at + "104: /materials/m/normal_map: needs an image: \"p\" is "
+       at + "106: /materials/m/normal_map: there is no texture \"j\"; there is \"i\", \"p\""},
+      {with(R"({"normal_map": "p"})"), at + "106: /materials/m/normal_map: needs an image: \"p\" is "
                                             "procedural; sweepkit bake --normals makes an "
                                             "image of it"},
       {with(R"({"normal_strength": 1})"),
-       at + "109: /materials/m/normal_strength: needs \"normal_map\" beside it"},
+       at + "111: /materials/m/normal_strength: needs \"normal_map\" beside it"},
       {with(R"({"normal_map": "i", "normal_strength": -1})"),
-       at + "128: /materials/m/normal_strength: needs a number from 0 to 1000, got -1"},
+       at + "130: /materials/m/normal_strength: needs to be at least 0 and at most 1000, got -1"},
       {with(R"({"normal_map": "i"}, "n": {"texture": "i"})"),
-       at + "90: /materials/m: its normal map \"i\" is the colours of \"n\" too; name the image twice under "
+       at + "91: /materials/m: its normal map \"i\" is the colours of \"n\" too; name the image twice under "
             "\"textures\""},
   });
 }
