@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "sweepkit/texmap/bake.hpp"
-#include "sweepkit/texmap/shrink.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -35,10 +34,12 @@ glm::dvec2 largest_extent(const MeshView& mesh, std::span<const std::uint32_t> e
   return extent;
 }
 
-// Near the far ends of double an int is no longer large enough.
-int rounded(double texels) {
-  constexpr double kMost = 1 << 30;
-  return static_cast<int>(std::lround(std::clamp(texels, 1.0, kMost)));
+double whole_texels(double texels) {
+  return std::max(std::round(texels), 1.0);
+}
+
+glm::ivec2 whole_texels(const glm::dvec2& texels) {
+  return {static_cast<int>(whole_texels(texels.x)), static_cast<int>(whole_texels(texels.y))};
 }
 
 }  // namespace
@@ -79,18 +80,20 @@ glm::ivec2 bake_size_of(const MeshView& mesh, const glm::dmat3& world_from_objec
     const glm::dvec2 whole = lengths * glm::dvec2(cells);
     constexpr double kLeastShare = 1.0 / 16;
     const glm::dvec2 shares = glm::max(whole / std::max(whole.x, whole.y), glm::dvec2(kLeastShare));
-    return {rounded(shares.x * wanted.size), rounded(shares.y * wanted.size)};
+    return whole_texels(shares * static_cast<double>(wanted.size));
   }
-  const glm::dvec2 cell(rounded(lengths.x * *wanted.density), rounded(lengths.y * *wanted.density));
+  const glm::dvec2 cell(whole_texels(lengths.x * *wanted.density), whole_texels(lengths.y * *wanted.density));
   glm::dvec2 size = cell * glm::dvec2(cells);
+  // A size may be too large for an int until it is capped.
+  const auto capped = [&] { return size * std::min(wanted.most / std::max(size.x, size.y), 1.0); };
   if (has_gutter) {
     // A gutter is a share of the whole, which it makes larger.
     for (int i = 0; i < 8; ++i) {
-      const int gutter = texmap::bake_gutter({rounded(size.x), rounded(size.y)});
+      const int gutter = texmap::bake_gutter(whole_texels(capped()));
       size = (cell + 2.0 * gutter) * glm::dvec2(cells);
     }
   }
-  return texmap::fitting_size({rounded(size.x), rounded(size.y)}, wanted.most);
+  return whole_texels(capped());
 }
 
 }  // namespace sweepkit::scene

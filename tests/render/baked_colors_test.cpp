@@ -15,8 +15,9 @@
 namespace sweepkit::render {
 namespace {
 
-// The largest difference between a bake at 64 texels a metre and the tracer's colours at their middles.
-double difference(const std::string& texture) {
+// The largest difference between a bake at 64 texels a metre and the tracer's colours at their middles, where
+// those are within a range.
+double difference(const std::string& texture, float low = 0, float high = 1) {
   const double fov = 2 * std::atan(0.5 / 10) * 180 / std::numbers::pi;
   char camera[200];
   std::snprintf(
@@ -36,7 +37,9 @@ double difference(const std::string& texture) {
   double most = 0;
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
-      const glm::vec3 gap = glm::abs(baked.color(x, y) - picture.image.color(x, y));
+      const glm::vec3 drawn = picture.image.color(x, y);
+      if (drawn.r < low || drawn.r > high) continue;
+      const glm::vec3 gap = glm::abs(baked.color(x, y) - drawn);
       most = std::max(most, static_cast<double>(std::max({gap.r, gap.g, gap.b})));
     }
   }
@@ -51,11 +54,13 @@ TEST(BakedColors, OfAPatternOfWholeTexelsAreTheTracers) {
 }
 
 // A texel is the mean over its 1/64 m, the tracer's colour that of its middle: apart by h^2 / 24 of the
-// second derivatives along both sides, each at most 60 a square metre for noise of one octave.
+// second derivatives along both sides. Noise of one octave has 4 cells a metre, and 60 a cell squared at
+// most; half a texel aside it would be 0.1 off. Where the colours end they do not follow the noise, which is
+// left out.
 TEST(BakedColors, OfSmoothNoiseOnPositionAreTheTracersToTheTexelsMean) {
   const double most =
-      difference(R"({"procedural": "noise", "octaves": 1, "colors": [[0, 0, 0], [1, 1, 1]]})");
-  EXPECT_LE(most, 2 * 60.0 / (64 * 64 * 24));
+      difference(R"({"procedural": "noise", "octaves": 1, "colors": [[0, 0, 0], [1, 1, 1]]})", 0.2f, 0.8f);
+  EXPECT_LE(most, 2 * 60.0 * 16 / (64 * 64 * 24));
   EXPECT_GT(most, 0);
 }
 
