@@ -19,6 +19,7 @@
 #include "gltf_container.hpp"
 #include "gltf_extras.hpp"
 #include "gltf_material_entry.hpp"
+#include "gltf_mirror.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
 #include "json_text.hpp"
@@ -144,6 +145,8 @@ class Writer {
 
   // Its instances. One is a node with the mesh; several are such nodes without names under the object's.
   void add_object(std::span<const Object> instances) {
+    const MeshView& own = scene_.meshes[instances.front().mesh];
+    if (!own.tangents.empty() && all_mirror(instances)) mirrored_.try_emplace(instances.front().mesh, own);
     const int mesh = add_mesh(instances.front());
     if (instances.size() == 1) {
       add_node(instances.front(), mesh);
@@ -162,6 +165,7 @@ class Writer {
   void add_node(const Object& object, int mesh) {
     glm::dmat4 node_from_mesh(1.0);
     node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
+    if (mirrored_.contains(object.mesh)) node_from_mesh[0] = -node_from_mesh[0];
     tinygltf::Node node;
     node.mesh = mesh;
     place(node, object.world_from_object * node_from_mesh, object.name);
@@ -169,7 +173,9 @@ class Writer {
   }
 
   int add_mesh(const Object& object) {
-    const MeshView& mesh = scene_.meshes[object.mesh];
+    const auto mirrored = mirrored_.find(object.mesh);
+    const MeshView& own = scene_.meshes[object.mesh];
+    const MeshView mesh = mirrored != mirrored_.end() ? mirrored->second.view(own) : own;
     if (mesh.triangles.empty())
       throw InputError("the object " + in_quotes(object.name) + " has no triangles");
     std::vector<texmap::UvTransform> transforms;
@@ -245,6 +251,7 @@ class Writer {
   GltfTextures textures_;
   std::vector<MaterialInUse> materials_;                      // as model_.materials
   std::map<std::size_t, std::optional<double>> thicknesses_;  // by mesh
+  std::map<std::size_t, MirroredMesh> mirrored_;  // by mesh: those that no placement shows unmirrored
   std::set<std::string> extensions_;
 };
 

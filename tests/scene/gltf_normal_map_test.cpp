@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <glm/gtc/quaternion.hpp>
+#include <tuple>
 
 #include "parsed_gltf.hpp"
 #include "sweepkit/scene/mesh_output.hpp"
@@ -140,6 +142,63 @@ TEST_F(GltfNormalMapTest, ColoursThatAreBakedOverTheMeshLeaveItTheMeshsOwnTexcoo
   const Written plain = written(scene_of(R"(, "texture": "checks")"));
   EXPECT_EQ(plain.root["materials"][0]["normalTexture"].count("texCoord"), 0u);
   EXPECT_EQ(plain.root["meshes"][0]["primitives"][0]["attributes"].count("TEXCOORD_1"), 0u);
+}
+
+// A corner's place, normal, and frame in the world, by the node's matrix and glTF's rules.
+TEST_F(GltfNormalMapTest, WhatIsMirroredEverywhereIsTurnedRoundItselfUnderNodesThatAreNot) {
+  const auto placed = [&](const std::string& placement) {
+    const Document document = parse_document(
+        scene_of("", R"({"name": "o", "material": "m", "tessellation": {"contour": 6, "trajectory": 4},
+            "sweep": {"contour": {"circle": {"radius": 0.2}}, "trajectory": {"line": [[1, 0, 0], [1, 2, 0.5]]}})" +
+                         placement + "}"),
+        folder / "s.json");
+    const Plan needs = plan(document, {.product = Request::Product::kMeshFile});
+    const Model model = build(document, needs);
+    const GltfFile file = make_gltf(model.scene, needs, "s.gltf", {});
+    const auto* begin = reinterpret_cast<const char*>(file.files.back().bytes.data());
+    return std::tuple(
+        json::parse(begin, begin + file.files.back().bytes.size()), file.files[1].bytes,
+        model.scene.meshes[0].origin,
+        std::vector(model.scene.meshes[0].positions.begin(), model.scene.meshes[0].positions.end()),
+        model.scene.objects[0].world_from_object);
+  };
+  const auto floats = [](const json& root, const std::vector<std::byte>& buffer, const std::string& attribute,
+                         std::size_t per) {
+    const json& accessor =
+        root["accessors"][root["meshes"][0]["primitives"][0]["attributes"][attribute].get<std::size_t>()];
+    const json& view = root["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    std::vector<float> values(per * accessor["count"].get<std::size_t>());
+    std::memcpy(values.data(), buffer.data() + view.value("byteOffset", std::size_t{0}), 4 * values.size());
+    return values;
+  };
+  const auto scale_of = [](const json& node) {
+    const std::vector<double> scale = node.value("scale", std::vector<double>{1, 1, 1});
+    return scale[0] * scale[1] * scale[2];
+  };
+  const auto [plain, plain_buffer, origin, positions, unmoved] = placed("");
+  const auto [root, buffer, same_origin, same_positions, world] =
+      placed(R"(, "scale": [1, -2, 1], "translate": [3, 0, 1])");
+  EXPECT_LT(glm::determinant(glm::dmat3(world)), 0);
+  const json& node = root["nodes"][0];
+  EXPECT_GT(scale_of(node), 0);
+  const std::vector<double> r = node.value("rotation", std::vector<double>{0, 0, 0, 1});
+  const std::vector<double> s = node.value("scale", std::vector<double>{1, 1, 1});
+  const std::vector<double> t = node.value("translation", std::vector<double>{0, 0, 0});
+  const glm::dmat3 turn(glm::dquat(r[3], r[0], r[1], r[2]));
+  const std::vector<float> written = floats(root, buffer, "POSITION", 3);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const glm::dvec3 local(written[3 * i], written[3 * i + 1], written[3 * i + 2]);
+    const glm::dvec3 there = turn * (glm::dvec3(s[0], s[1], s[2]) * local) + glm::dvec3(t[0], t[1], t[2]);
+    const glm::dvec3 expected(world * glm::dvec4(glm::dvec3(positions[i]) + origin, 1));
+    EXPECT_LT(glm::distance(there, expected), 1e-6) << i;
+  }
+  const std::vector<float> tangents = floats(root, buffer, "TANGENT", 4);
+  const std::vector<float> before = floats(plain, plain_buffer, "TANGENT", 4);
+  for (std::size_t i = 0; i < positions.size(); ++i) EXPECT_EQ(tangents[4 * i + 3], -before[4 * i + 3]);
+
+  // Mixed instances stay as they are.
+  const auto [mixed, mixed_buffer, a, b, c] = placed(R"(, "instances": [{}, {"scale": [-1, 1, 1]}])");
+  EXPECT_EQ(floats(mixed, mixed_buffer, "TANGENT", 4), before);
 }
 
 TEST_F(GltfNormalMapTest, UnlitNeedsNone) {
