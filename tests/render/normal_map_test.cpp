@@ -243,6 +243,40 @@ TEST(NormalMap, NoMirroredRayGoesBelowTheSurface) {
   }
 }
 
+// Where a ray goes to, far away, depends on the normal alone, and so does how it turns from pixel to pixel: a
+// plane that leans sends the same of a distant background back, or through, as a flat one with such a map.
+TEST(NormalMap, RaysLeaveAFlatPlaneAsTheyLeaveOneThatLeans) {
+  constexpr double kLean = 15;  // degrees
+  texmap::Image sky = texmap::make_float_image(64, 32);
+  auto& texels = std::get<std::vector<float>>(sky.texels);
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<float>(i * i % 97) / 97;
+  for (const char* terms : {R"(, "reflect": 1)", R"(, "transmit": 1, "ior": 1.5)"}) {
+    const std::string material = std::string(R"(, "specular": [0, 0, 0])") + terms;
+    MappedStage mapped(scene_of(kPlane, material, light({0, 1, 0})),
+                       constant({std::tan(kLean * std::numbers::pi / 180), 0, 1}));
+    ASSERT_GT(frame_of(mapped.model).u.x, 0.999);
+    MappedStage leaning(scene_of(kPlane + R"(, "rotate_deg": [0, 0, )" + std::to_string(-kLean) + "]",
+                                 material, light({0, 1, 0})),
+                        constant({0, 0, 1}));
+    for (MappedStage* stage : {&mapped, &leaning}) {
+      stage->model.scene.materials[0].diffuse = glm::vec3(0.0f);
+      stage->document.environment = scene::TextureEntry{"background", scene::ImageEntry{}, {}};
+      stage->model.scene.environment = texmap::ImageTexture{std::make_shared<const texmap::Image>(sky)};
+    }
+    for (const Filter filter : {Filter::kBilinear, Filter::kEwa}) {
+      const Picture flat = mapped.draw({.filter = filter});
+      const Picture other = leaning.draw({.filter = filter});
+      double largest = 0;
+      for (std::size_t i = 0; i < test::texels(flat).size(); ++i) {
+        ASSERT_NEAR(test::texels(flat)[i], test::texels(other)[i], 1e-5) << terms;
+        largest = std::max(largest,
+                           static_cast<double>(std::abs(test::texels(flat)[i] - test::texels(flat)[i % 3])));
+      }
+      EXPECT_GT(largest, 0.1) << "there is something to be seen";
+    }
+  }
+}
+
 TEST(NormalMap, ANormalIsTurnedBackToTheEyeNoFartherThanNeeded) {
   const glm::dvec3 direction(0, 0, -1);
   const glm::dvec3 up(0, 1, 0);

@@ -59,7 +59,7 @@ async function drawTheirs(requests) {
   }
 }
 
-// Pixels whose light is blocked here: where it is dark with shadows and not without.
+// In levels, over the pixels of the mask.
 function difference(ours, theirs, mask) {
   let sum = 0;
   let count = 0;
@@ -78,7 +78,7 @@ const request = {glb: readFileSync(glbFile).toString('base64'), width: kSize, he
 const [theirs, turned] = await drawTheirs([request, {...request, turnsGreen: true}]);
 const ours = renderOurs('ours.png', []);
 const flat = renderOurs('flat.png', Object.keys(scene.materials).flatMap((name) => ['--set', `/materials/${name}/normal_strength=0`]));
-// Each object, alone in the scene, throws no shadow on the others: what a shadow falls on is left out.
+// What is black here and not there lies in a shadow.
 const open = Array.from({length: kSize * kSize}, (_, pixel) => ours.data[4 * pixel + 3] === 255 &&
   !(ours.data[4 * pixel] + ours.data[4 * pixel + 1] + ours.data[4 * pixel + 2] < 3 &&
     theirs.data[4 * pixel] + theirs.data[4 * pixel + 1] + theirs.data[4 * pixel + 2] > 60));
