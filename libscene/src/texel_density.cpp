@@ -15,39 +15,11 @@
 namespace sweepkit::scene {
 namespace {
 
-// The largest extent in (u,v) of a sheet.
-glm::dvec2 largest_extent(const MeshView& mesh, std::span<const std::uint32_t> ends) {
-  glm::dvec2 extent(0.0);
-  std::uint32_t first = 0;
-  for (const std::uint32_t end : ends) {
-    glm::dvec2 low(std::numeric_limits<double>::infinity());
-    glm::dvec2 high(-std::numeric_limits<double>::infinity());
-    for (const sweep::Triangle& triangle : mesh.triangles.subspan(first, end - first)) {
-      for (const std::uint32_t vertex : triangle) {
-        low = glm::min(low, glm::dvec2(mesh.texcoords[vertex]));
-        high = glm::max(high, glm::dvec2(mesh.texcoords[vertex]));
-      }
-    }
-    if (first < end) extent = glm::max(extent, high - low);
-    first = end;
-  }
-  return extent;
-}
-
-double whole_texels(double texels) {
-  return std::max(std::round(texels), 1.0);
-}
-
-glm::ivec2 whole_texels(const glm::dvec2& texels) {
-  return {static_cast<int>(whole_texels(texels.x)), static_cast<int>(whole_texels(texels.y))};
-}
-
-}  // namespace
-
-glm::dvec2 texcoord_lengths(const MeshView& mesh, const glm::dmat3& world_from_object) {
+glm::dvec2 lengths_of(const MeshView& mesh, std::span<const sweep::Triangle> triangles,
+                      const glm::dmat3& world_from_object) {
   glm::dvec2 sum(0.0);
   double whole = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
+  for (const auto& [a, b, c] : triangles) {
     const glm::dvec3 p = world_from_object * glm::dvec3(mesh.positions[b] - mesh.positions[a]);
     const glm::dvec3 q = world_from_object * glm::dvec3(mesh.positions[c] - mesh.positions[a]);
     const glm::dvec2 s(mesh.texcoords[b] - mesh.texcoords[a]);
@@ -62,18 +34,59 @@ glm::dvec2 texcoord_lengths(const MeshView& mesh, const glm::dmat3& world_from_o
   return whole > 0 ? sum / whole : glm::dvec2(0.0);
 }
 
+glm::dvec2 extent_of(const MeshView& mesh, std::span<const sweep::Triangle> triangles) {
+  glm::dvec2 low(std::numeric_limits<double>::infinity());
+  glm::dvec2 high(-std::numeric_limits<double>::infinity());
+  for (const sweep::Triangle& triangle : triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      low = glm::min(low, glm::dvec2(mesh.texcoords[vertex]));
+      high = glm::max(high, glm::dvec2(mesh.texcoords[vertex]));
+    }
+  }
+  return triangles.empty() ? glm::dvec2(0.0) : high - low;
+}
+
+// Metres along u and v of the largest sheet, each way.
+glm::dvec2 largest_sheet(const MeshView& mesh, std::span<const std::uint32_t> ends,
+                         const glm::dmat3& world_from_object) {
+  glm::dvec2 largest(0.0);
+  std::uint32_t first = 0;
+  for (const std::uint32_t end : ends) {
+    const auto sheet = mesh.triangles.subspan(first, end - first);
+    largest = glm::max(largest, extent_of(mesh, sheet) * lengths_of(mesh, sheet, world_from_object));
+    first = end;
+  }
+  return largest;
+}
+
+double whole_texels(double texels) {
+  return std::max(std::round(texels), 1.0);
+}
+
+glm::ivec2 whole_texels(const glm::dvec2& texels) {
+  return {static_cast<int>(whole_texels(texels.x)), static_cast<int>(whole_texels(texels.y))};
+}
+
+}  // namespace
+
+glm::dvec2 texcoord_lengths(const MeshView& mesh, const glm::dmat3& world_from_object) {
+  return lengths_of(mesh, mesh.triangles, world_from_object);
+}
+
 glm::ivec2 bake_size_of(const MeshView& mesh, const glm::dmat3& world_from_object,
                         const texmap::Texture& texture, const BakeSize& wanted) {
-  glm::dvec2 lengths = texcoord_lengths(mesh, world_from_object);
+  glm::dvec2 lengths;
   glm::ivec2 cells(1);
   bool has_gutter = false;
   const auto* procedural = std::get_if<texmap::Procedural>(&texture);
   if (procedural != nullptr && !texmap::repeats_in_unit_square(*procedural)) {
     const std::vector<std::uint32_t> ends = sheet_ends(mesh);
-    lengths *= largest_extent(mesh, ends);
+    lengths = largest_sheet(mesh, ends, world_from_object);
     cells = texmap::bake_cells(ends.size());
     has_gutter = ends.size() > 1 ||
                  (!mesh.areas.empty() && (mesh.areas[0].u_period > 0 || mesh.areas[0].v_period > 0));
+  } else {
+    lengths = texcoord_lengths(mesh, world_from_object);
   }
   if (!(lengths.x > 0 && lengths.y > 0)) return glm::ivec2(wanted.size);
   if (!wanted.density) {

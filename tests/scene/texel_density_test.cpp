@@ -62,6 +62,15 @@ TEST(TexelDensity, OfATubeIsTheWayRoundAndTheWayAlong) {
   EXPECT_EQ(size_of(kTube, {.density = 1000}, kMarble), glm::ivec2(round + 2 * 10, 3000 + 2 * 10));
 }
 
+// The tube and its two caps lie in a grid of 2 x 2 places, each as large as the tube's.
+TEST(TexelDensity, OfSeveralPiecesIsThatOfTheLargestForEach) {
+  std::string capped = kTube;
+  capped.replace(capped.find("\"none\""), 6, "\"flat\"");
+  const auto round = static_cast<int>(std::lround(100 * kRound));
+  EXPECT_EQ(size_of(capped, {.density = 100}, kMarble), glm::ivec2(2 * (round + 2 * 4), 2 * (300 + 2 * 4)))
+      << "gutters are 4 texels";
+}
+
 TEST(TexelDensity, IsCappedWithTheAspectKept) {
   EXPECT_EQ(size_of(kPlane, {.density = 1e9}, kChecker), glm::ivec2(8192, 4096));
   EXPECT_EQ(size_of(kPlane, {.density = 1000, .most = 64}, kChecker), glm::ivec2(64, 32));

@@ -243,8 +243,9 @@ void add_generate(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
   add_texel_density(sub, command->gltf.texel_density)->excludes("--bake-size");
-  sub.add_flag("--tangents", command->gltf.has_tangents,
-               "A tangent with handedness at every vertex too, for normal maps in engines that make none");
+  sub.add_flag(
+      "--tangents", command->gltf.has_tangents,
+      "A tangent with handedness at every vertex of every mesh; without it of those with a normal map");
   sub.add_flag("--unlit", command->is_unlit,
                "Colours and textures as they are, whatever the light (KHR_materials_unlit)");
   sub.add_flag("--compatible", command->is_compatible,
