@@ -5,13 +5,12 @@
 // on average, outside of shadows, which three.js is not asked for. Two controls show that this sees the maps at all: with
 // their green turned round, as a wrong direction of v would do, and without them.
 import {buildSync} from 'esbuild';
-import {execFileSync} from 'node:child_process';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
-import {chromium} from 'playwright-core';
 import {fileURLToPath} from 'node:url';
 import pngjs from 'pngjs';
-import {awkwardScenes, freshFolder, sweepkit} from './sweepkit.mjs';
+import {launch, webgl} from './browser.mjs';
+import {awkwardScenes, freshFolder, sweepkit, uncommented} from './sweepkit.mjs';
 
 const {PNG} = pngjs;
 const here = dirname(fileURLToPath(import.meta.url));
@@ -25,7 +24,7 @@ const kMostDifference = 4;
 const kLeastFactor = 2.5;
 const kSize = 512;
 const sceneFile = join(awkwardScenes, 'normals.json');
-const scene = JSON.parse(readFileSync(sceneFile, 'utf8').replace(/^\s*\/\/.*$/gm, ''));
+const scene = JSON.parse(uncommented(readFileSync(sceneFile, 'utf8')));
 
 function renderOurs(name, settings) {
   const file = join(out, name);
@@ -37,12 +36,7 @@ async function drawTheirs(requests) {
   const script = buildSync({
     entryPoints: [join(here, 'three_lit_page.js')], bundle: true, write: false, format: 'iife', logLevel: 'error',
   }).outputFiles[0].text;
-  const browser = await chromium.launch({
-    executablePath: execFileSync('sh', ['-c', 'command -v chromium'], {encoding: 'utf8'}).trim(),
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-           '--disable-background-networking', '--disable-component-update', '--disable-default-apps', '--disable-sync',
-           '--no-first-run', '--no-pings'],
-  });
+  const browser = await launch(webgl);
   try {
     const page = await browser.newPage();
     page.on('pageerror', (error) => console.error('in the page: ' + error));
