@@ -19,6 +19,7 @@
 #include "gltf_container.hpp"
 #include "gltf_extras.hpp"
 #include "gltf_material_entry.hpp"
+#include "gltf_mirror.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
 #include "json_text.hpp"
@@ -115,30 +116,37 @@ class Writer {
   int add_material(const Object& object, std::vector<texmap::UvTransform>& transforms) {
     const Material material = object.material ? scene_.materials[*object.material] : Material{};
     const GltfBody body = material.transmit > 0 ? body_of(object) : GltfBody{};
-    std::optional<int> texture;
+    GltfMaps maps;
     if (material.texture && plan_.textures[*material.texture]) {
       const texmap::Texture& source = scene_.textures[*material.texture];
       if (const auto* procedural = std::get_if<texmap::Procedural>(&source)) {
         if (plan_.needs_part(Part::kBakes)) {
-          texture = textures_.baked_texture(object, *procedural, transforms);
+          maps.base_color = textures_.baked_texture(object, *procedural, transforms);
         }
       } else {
-        texture = textures_.image_texture(*material.texture);
+        maps.base_color = textures_.image_texture(*material.texture);
       }
+    }
+    if (material.normal_map && plan_.needs_part(Part::kNormalMaps)) {
+      // A texture that was baked over the mesh has (u,v) of its own there.
+      maps.normals = {textures_.image_texture(*material.normal_map), material.normal_strength,
+                      transforms.empty() ? 0 : 1};
     }
     const GltfMaterial terms = to_gltf(material, options_.look, body);
     const auto same = std::find_if(materials_.begin(), materials_.end(), [&](const MaterialInUse& one) {
-      return one.terms == terms && one.texture == texture;
+      return one.terms == terms && one.maps == maps;
     });
     if (same != materials_.end()) return static_cast<int>(same - materials_.begin());
-    materials_.push_back({terms, texture});
+    materials_.push_back({terms, maps});
     model_.materials.push_back(
-        material_entry(object.material ? material.name : "default", terms, texture, extensions_));
+        material_entry(object.material ? material.name : "default", terms, maps, extensions_));
     return static_cast<int>(materials_.size()) - 1;
   }
 
   // Its instances. One is a node with the mesh; several are such nodes without names under the object's.
   void add_object(std::span<const Object> instances) {
+    const MeshView& own = scene_.meshes[instances.front().mesh];
+    if (!own.tangents.empty() && all_mirror(instances)) mirrored_.try_emplace(instances.front().mesh, own);
     const int mesh = add_mesh(instances.front());
     if (instances.size() == 1) {
       add_node(instances.front(), mesh);
@@ -157,6 +165,7 @@ class Writer {
   void add_node(const Object& object, int mesh) {
     glm::dmat4 node_from_mesh(1.0);
     node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
+    if (mirrored_.contains(object.mesh)) node_from_mesh[0] = -node_from_mesh[0];
     tinygltf::Node node;
     node.mesh = mesh;
     place(node, object.world_from_object * node_from_mesh, object.name);
@@ -164,7 +173,9 @@ class Writer {
   }
 
   int add_mesh(const Object& object) {
-    const MeshView& mesh = scene_.meshes[object.mesh];
+    const auto mirrored = mirrored_.find(object.mesh);
+    const MeshView& own = scene_.meshes[object.mesh];
+    const MeshView mesh = mirrored != mirrored_.end() ? mirrored->second.view(own) : own;
     if (mesh.triangles.empty())
       throw InputError("the object " + in_quotes(object.name) + " has no triangles");
     std::vector<texmap::UvTransform> transforms;
@@ -174,11 +185,15 @@ class Writer {
     primitive.indices = buffer_.add_indices(mesh.triangles, mesh.positions.size());
     primitive.attributes["POSITION"] = buffer_.add_positions(mesh.positions);
     primitive.attributes["NORMAL"] = buffer_.add_vertices(mesh.normals);
-    if (options_.has_tangents) {
+    if (!mesh.tangents.empty()) {
+      primitive.attributes["TANGENT"] = buffer_.add_vertices(mesh.tangents);
+    } else if (options_.has_tangents) {
       primitive.attributes["TANGENT"] = buffer_.add_vertices(
           sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles));
     }
     primitive.attributes["TEXCOORD_0"] = buffer_.add_vertices(gltf_texcoords(mesh, transforms));
+    if (!mesh.tangents.empty() && !transforms.empty())
+      primitive.attributes["TEXCOORD_1"] = buffer_.add_vertices(gltf_texcoords(mesh, {}));
     tinygltf::Mesh entry;
     entry.name = object.name;
     entry.primitives.push_back(std::move(primitive));
@@ -222,7 +237,7 @@ class Writer {
 
   struct MaterialInUse {
     GltfMaterial terms;
-    std::optional<int> texture;
+    GltfMaps maps;
   };
 
   const Scene& scene_;
@@ -236,6 +251,7 @@ class Writer {
   GltfTextures textures_;
   std::vector<MaterialInUse> materials_;                      // as model_.materials
   std::map<std::size_t, std::optional<double>> thicknesses_;  // by mesh
+  std::map<std::size_t, MirroredMesh> mirrored_;  // by mesh: those that no placement shows unmirrored
   std::set<std::string> extensions_;
 };
 

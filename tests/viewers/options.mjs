@@ -17,6 +17,7 @@ export const variants = [
   {name: 'jpg', options: ['--image-format', 'jpg']},
   {name: 'small', options: ['--max-texture', '16']},
   {name: 'baked', options: ['--bake-size', '33']},
+  {name: 'dense', options: ['--texel-density', '20']},
   {name: 'bare', options: ['--no-extras', '--copyright', '2026 Käthe "K" Töpfer']},
   {name: 'together', options: ['--unlit', '--tangents', '--images', 'separate', '--image-format', 'jpg', '--max-texture', '64']},
 ];

@@ -15,6 +15,8 @@ freshFolder(out);
 
 const kUnseen = [  // names, numbers and points that depend on others
   /there is no (texture|material) "/,
+  /needs an image: ".*" is procedural/,
+  /is the colours of ".*" too/,
   /is taken by an object before/,
   /needs to differ from "eye"/,
   /corner_radius needs to be/,
