@@ -43,7 +43,7 @@ class Writer {
         options_(options),
         stem_(file == "-" ? "scene" : file.stem().string()),
         is_binary_(file.extension() != ".gltf"),
-        buffer_(model_),
+        buffer_(model_, {.is_quantized = options.is_quantized}),
         textures_(model_, buffer_, result_, scene, options, stem_,
                   options.images_in == GltfImages::kSeparate ||
                       (options.images_in == GltfImages::kByContainer && !is_binary_)) {
@@ -70,6 +70,10 @@ class Writer {
     add_camera();
     model_.scenes.push_back(std::move(scene));
     model_.defaultScene = 0;
+    if (options_.is_quantized) {
+      extensions_.insert("KHR_mesh_quantization");
+      model_.extensionsRequired.emplace_back("KHR_mesh_quantization");
+    }
     model_.extensionsUsed.assign(extensions_.begin(), extensions_.end());
     add_files();
     return std::move(result_);
@@ -86,8 +90,10 @@ class Writer {
   }
 
   void add_files() {
-    GltfContainer container{
-        .buffer_bytes = buffer_.bytes.size(), .extras = gltf_extras(options_), .is_indented = !is_binary_};
+    GltfContainer container{.views = buffer_.views,
+                            .buffer_bytes = buffer_.bytes.size(),
+                            .extras = gltf_extras(options_),
+                            .is_indented = !is_binary_};
     if (is_binary_) {
       const std::string json = gltf_json(model_, container);
       result_.files.push_back({stem_ + ".glb", glb_bytes(json, std::move(buffer_.bytes))});
@@ -108,7 +114,9 @@ class Writer {
       result_.ledger[Part::kThicknesses].calls += 1;
       result_.ledger[Part::kThicknesses].bytes += mean_chord_bytes(mesh);
     }
-    return {found->second, std::cbrt(std::abs(glm::determinant(glm::dmat3(object.world_from_object))))};
+    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(object.world_from_object))));
+    const double step = grid_of(object.mesh).step;  // a viewer scales the thickness as it does the mesh
+    return {found->second ? std::optional(*found->second / step) : std::nullopt, scale * step};
   }
 
   // One for each set of terms and texture in use.
@@ -154,9 +162,19 @@ class Writer {
     }
   }
 
+  // Of a mesh in floats the identity.
+  const PositionGrid& grid_of(std::size_t mesh) {
+    const auto [found, is_new] = grids_.try_emplace(mesh);
+    if (is_new && options_.is_quantized) {
+      found->second = position_grid(scene_.meshes[mesh].positions, options_.position_bits);
+    }
+    return found->second;
+  }
+
   void add_node(const Object& object, int mesh) {
-    glm::dmat4 node_from_mesh(1.0);
-    node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
+    const PositionGrid& grid = grid_of(object.mesh);
+    glm::dmat4 node_from_mesh = glm::dmat4(glm::dmat3(grid.step));
+    node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin + grid.offset, 1);
     tinygltf::Node node;
     node.mesh = mesh;
     place(node, object.world_from_object * node_from_mesh, object.name);
@@ -171,8 +189,7 @@ class Writer {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
     primitive.material = add_material(object, transforms);
-    primitive.indices = buffer_.add_indices(mesh.triangles, mesh.positions.size());
-    primitive.attributes["POSITION"] = buffer_.add_positions(mesh.positions);
+    add_shape(object, primitive);
     primitive.attributes["NORMAL"] = buffer_.add_vertices(mesh.normals);
     if (options_.has_tangents) {
       primitive.attributes["TANGENT"] = buffer_.add_vertices(
@@ -184,6 +201,24 @@ class Writer {
     entry.primitives.push_back(std::move(primitive));
     model_.meshes.push_back(std::move(entry));
     return static_cast<int>(model_.meshes.size()) - 1;
+  }
+
+  void add_shape(const Object& object, tinygltf::Primitive& primitive) {
+    const MeshView& mesh = scene_.meshes[object.mesh];
+    if (!options_.is_quantized) {
+      primitive.indices = buffer_.add_indices(mesh.triangles, mesh.positions.size());
+      primitive.attributes["POSITION"] = buffer_.add_positions(mesh.positions);
+      return;
+    }
+    const std::vector<ShortPosition> positions = to_grid(mesh.positions, grid_of(object.mesh));
+    const std::vector<sweep::Triangle> triangles = with_area(mesh.triangles, positions);
+    if (triangles.empty()) {
+      throw InputError("the object " + in_quotes(object.name) +
+                       " is too thin to be quantized: no triangle keeps its area");
+    }
+    result_.triangles_without_area += mesh.triangles.size() - triangles.size();
+    primitive.indices = buffer_.add_indices(triangles, positions.size());
+    primitive.attributes["POSITION"] = buffer_.add_positions(positions);
   }
 
   static void place(tinygltf::Node& node, const glm::dmat4& world_from_node, const std::string& name) {
@@ -236,6 +271,7 @@ class Writer {
   GltfTextures textures_;
   std::vector<MaterialInUse> materials_;                      // as model_.materials
   std::map<std::size_t, std::optional<double>> thicknesses_;  // by mesh
+  std::map<std::size_t, PositionGrid> grids_;                 // by mesh
   std::set<std::string> extensions_;
 };
 

@@ -11,33 +11,57 @@
 #include <unordered_map>
 #include <vector>
 
+#include "gltf_quantize.hpp"
+#include "gltf_view.hpp"
 #include "sweepkit/sweep/grid_patch.hpp"
 
 namespace sweepkit::scene {
 
+/// How arrays become bytes.
+struct GltfEncoding {
+  bool is_quantized = false;  ///< KHR_mesh_quantization
+};
+
 /// A model's one buffer as it grows, with the views and accessors into it. What add_ returns is an index into
-/// the model's views or accessors. Everything is aligned to four bytes. Arrays of equal bytes and kind are
-/// one accessor, so that objects of one shape share it, whatever their names and materials. Throws InputError
-/// where the buffer would be over 2 GiB.
+/// the views or the model's accessors. Everything is aligned to four bytes. Arrays of equal bytes and kind
+/// are one accessor, so that objects of one shape share it, whatever their names and materials. Throws
+/// InputError where the buffer would be over 2 GiB.
 class GltfBuffer {
  public:
-  explicit GltfBuffer(tinygltf::Model& model) : model_(model) {}
+  explicit GltfBuffer(tinygltf::Model& model, const GltfEncoding& encoding = {})
+      : model_(model), encoding_(encoding) {}
 
-  int add_view(std::span<const std::byte> bytes, int target = 0);
-  int add_vertices(std::span<const glm::vec2> values);
-  int add_vertices(std::span<const glm::vec3> values);
-  int add_vertices(std::span<const glm::vec4> values);
-  int add_positions(std::span<const glm::vec3> positions);  ///< with their bounds
+  int add_view(std::span<const std::byte> bytes);
+  int add_vertices(std::span<const glm::vec2> texcoords);
+  int add_vertices(std::span<const glm::vec3> normals);
+  int add_vertices(std::span<const glm::vec4> tangents);
+  int add_positions(std::span<const glm::vec3> positions);      ///< with their bounds
+  int add_positions(std::span<const ShortPosition> positions);  ///< with their bounds
   int add_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count);
   int add_key_times(std::span<const float> seconds);  ///< rising; with their bounds
   int add_rotations(std::span<const glm::vec4> quaternions);
 
   std::vector<std::byte> bytes;
+  std::vector<GltfView> views;
 
  private:
-  int add_accessor(std::span<const std::byte> values, int target, int component, int type, std::size_t count);
+  struct Array {
+    std::span<const std::byte> bytes;
+    std::size_t count = 0;
+    int component = 0;
+    int type = 0;
+    int target = 0;
+    std::size_t stride = 0;  ///< where items are padded; 0: packed
+    bool is_normalized = false;
+  };
+
+  int add_array(const Array& array);
+  int push_view(std::span<const std::byte> values, const Array& array);
+  template <class Position>
+  int add_bounded(std::span<const Position> positions, const Array& array);
 
   tinygltf::Model& model_;
+  GltfEncoding encoding_;
   std::unordered_multimap<std::uint64_t, int> accessors_;  // by hash of their bytes
 };
 

@@ -79,13 +79,16 @@ void generate_one(const Generate& command) {
           (made.objects == 1 ? " object, " : " objects, ") +
           (made.instances > made.objects ? std::to_string(made.instances) + " instances, " : "") +
           std::to_string(made.triangles) + " triangles" +
+          (made.triangles_without_area > 0 ? " (" + std::to_string(made.triangles_without_area) +
+                                                 " without area when quantized are left out)"
+                                           : "") +
           (made.deviation ? " (by tolerance: within " + length_text(*made.deviation) + ")" : "") + ", " +
           std::to_string(made.bytes) + " bytes in " + duration_text(seconds),
       output);
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 10> kGltfOptions = {{
     {"--no-extras", ""},
     {"--copyright", "copyright"},
     {"--tangents", "tangents"},
@@ -94,6 +97,8 @@ constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
     {"--images", ""},
     {"--image-format", ""},
     {"--max-texture", ""},
+    {"--quantize", "quantized vertices"},
+    {"--position-bits", "quantized vertices"},
 }};
 
 // A glTF made again from itself has its own options where no others are given.
@@ -111,6 +116,8 @@ void take_options_of(const scene::GltfOptions& own, Generate& command) {
   take({"--image-format"}, gltf.image_format, own.image_format);
   take({"--max-texture"}, gltf.max_texture, own.max_texture);
   take({"--copyright"}, gltf.copyright, own.copyright);
+  take({"--quantize"}, gltf.is_quantized, own.is_quantized);
+  take({"--position-bits"}, gltf.position_bits, own.position_bits);
 }
 
 void settle_gltf_options(Generate& command) {
@@ -132,10 +139,19 @@ void check_gltf_options(const Generate& command) {
     throw InputError({.file = "--unlit"},
                      "is an extension, and --compatible is for viewers that know none; leave one out");
   }
+  if (command.gltf.look == scene::GltfLook::kCompatible && command.gltf.is_quantized) {
+    throw InputError({.file = "--quantize"},
+                     "is an extension, and --compatible is for viewers that know none; leave one out");
+  }
   if (command.output.is_standard() && command.gltf.images_in == scene::GltfImages::kSeparate) {
     throw InputError({.file = "--images"}, "separate needs a folder, and -o - is standard output alone");
   }
-  if (!scene::is_mesh_name(command.output.file)) return;
+  if (!scene::is_mesh_name(command.output.file)) {
+    if (command.options->count("--position-bits") > 0 && !command.gltf.is_quantized) {
+      throw InputError({.file = "--position-bits"}, "is for quantized positions; add --quantize");
+    }
+    return;
+  }
   for (const auto& [option, lack] : kGltfOptions) {
     if (command.options->count(option) == 0) continue;
     throw InputError({.file = option}, std::string("is for .glb and .gltf: other formats hold no ") + lack);
@@ -199,6 +215,8 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
     const scene::GltfFile gltf = scene::make_gltf(model.scene, plan, file, options);
     keep(gltf.files, gltf.ledger);
     for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
+    made.triangles -= gltf.triangles_without_area;
+    made.triangles_without_area = gltf.triangles_without_area;
   }
   if (looks_for_findings) made.findings = scene::check(document, model, scene::Thoroughness::kQuick);
   for (const scene::Object& object : model.scene.objects) {
@@ -256,6 +274,14 @@ void add_generate(CLI::App& app) {
                  "Most texels on a side of an image; larger ones are made smaller")
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
+  sub.add_flag("--quantize", command->gltf.is_quantized,
+               "Vertices in less than half the bytes (KHR_mesh_quantization, which the viewer must know): "
+               "positions in 16 bits, normals and tangents in 8, (u,v) in 16");
+  sub.add_option("--position-bits", command->gltf.position_bits,
+                 "Of --quantize: the longest side of an object's box in 2^N - 1 steps")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(8, 16));
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);

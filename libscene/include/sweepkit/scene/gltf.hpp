@@ -16,7 +16,7 @@ namespace sweepkit::scene {
 
 class ImageStore;
 
-/// What the file asks of viewers. Nothing is ever required: a viewer without an extension shows less.
+/// What the file asks of viewers. Nothing is required: a viewer without an extension shows less.
 enum class GltfLook {
   kFull,        ///< mirrors, glass and indices of refraction by the KHR_materials extensions
   kUnlit,       ///< colours and textures as they are, without light: KHR_materials_unlit
@@ -39,6 +39,11 @@ struct GltfOptions {
   std::optional<texmap::ImageFormat> image_format;
   int max_texture = 0;    ///< larger images are made smaller; texels on a side, 0: as they are
   std::string copyright;  ///< UTF-8; empty: none
+  /// Positions in 16 bits, normals and tangents in 8, (u,v) between 0 and 1 in 16: KHR_mesh_quantization,
+  /// which viewers are then required to know. Positions are off by half of (longest side of the mesh's box) /
+  /// (2^position_bits - 1) an axis at most, parts of normals by 1/254, (u,v) by 1/131070.
+  bool is_quantized = false;
+  int position_bits = 16;  ///< 8 to 16, where quantized
   /// The scene's JSON (SceneFile::text()), kept in the file's extras with these options, where
   /// read_gltf_source() finds them. Empty: nothing is kept.
   std::string scene;
@@ -53,6 +58,7 @@ struct NamedBytes {
 struct GltfFile {
   std::vector<NamedBytes> files;  ///< what stands beside (.bin, images), then the .glb or .gltf itself
   Ledger ledger;                  ///< bakes, thicknesses
+  std::size_t triangles_without_area = 0;  ///< left out, since quantizing made them an edge or a point
 };
 
 /// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
@@ -60,8 +66,8 @@ struct GltfFile {
 /// has its buffer and images beside it, named for `file`. Positions are relative to each mesh's origin, which
 /// is in its node in double. Arrays, images and materials that are equal are written once, and a PNG or JPEG
 /// that needs no change is copied byte for byte. The same scene gives the same bytes. Throws InputError for
-/// an unknown object, one without triangles, one that an instance shears, a copyright that is no UTF-8, or a
-/// file over 2 GiB.
+/// an unknown object, one without triangles or with none left when quantized, one that an instance shears, a
+/// copyright that is no UTF-8, or a file over 2 GiB.
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options);
 
