@@ -19,6 +19,7 @@
 #include "gltf_container.hpp"
 #include "gltf_extras.hpp"
 #include "gltf_material_entry.hpp"
+#include "gltf_primitive.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
 #include "json_text.hpp"
@@ -43,7 +44,7 @@ class Writer {
         options_(options),
         stem_(file == "-" ? "scene" : file.stem().string()),
         is_binary_(file.extension() != ".gltf"),
-        buffer_(model_, {.is_quantized = options.is_quantized}),
+        buffer_(model_, {options.is_quantized, options.is_packed}),
         textures_(model_, buffer_, result_, scene, options, stem_,
                   options.images_in == GltfImages::kSeparate ||
                       (options.images_in == GltfImages::kByContainer && !is_binary_)) {
@@ -74,6 +75,10 @@ class Writer {
       extensions_.insert("KHR_mesh_quantization");
       model_.extensionsRequired.emplace_back("KHR_mesh_quantization");
     }
+    if (buffer_.unpacked_bytes > 0) {
+      extensions_.insert("EXT_meshopt_compression");
+      model_.extensionsRequired.emplace_back("EXT_meshopt_compression");
+    }
     model_.extensionsUsed.assign(extensions_.begin(), extensions_.end());
     add_files();
     return std::move(result_);
@@ -92,6 +97,7 @@ class Writer {
   void add_files() {
     GltfContainer container{.views = buffer_.views,
                             .buffer_bytes = buffer_.bytes.size(),
+                            .unpacked_bytes = buffer_.unpacked_bytes,
                             .extras = gltf_extras(options_),
                             .is_indented = !is_binary_};
     if (is_binary_) {
@@ -166,7 +172,9 @@ class Writer {
   const PositionGrid& grid_of(std::size_t mesh) {
     const auto [found, is_new] = grids_.try_emplace(mesh);
     if (is_new && options_.is_quantized) {
-      found->second = position_grid(scene_.meshes[mesh].positions, options_.position_bits);
+      const MeshView& view = scene_.meshes[mesh];
+      const int usual = options_.is_packed ? bits_for_cells(view.positions, view.triangles) : 16;
+      found->second = position_grid(view.positions, options_.position_bits.value_or(usual));
     }
     return found->second;
   }
@@ -186,39 +194,25 @@ class Writer {
     if (mesh.triangles.empty())
       throw InputError("the object " + in_quotes(object.name) + " has no triangles");
     std::vector<texmap::UvTransform> transforms;
-    tinygltf::Primitive primitive;
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.material = add_material(object, transforms);
-    add_shape(object, primitive);
-    primitive.attributes["NORMAL"] = buffer_.add_vertices(mesh.normals);
+    const int material = add_material(object, transforms);
+    GltfVertices vertices{.texcoords = gltf_texcoords(mesh, transforms)};
     if (options_.has_tangents) {
-      primitive.attributes["TANGENT"] = buffer_.add_vertices(
-          sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles));
+      vertices.tangents = sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles);
     }
-    primitive.attributes["TEXCOORD_0"] = buffer_.add_vertices(gltf_texcoords(mesh, transforms));
+    const std::optional<PositionGrid> grid =
+        options_.is_quantized ? std::optional(grid_of(object.mesh)) : std::nullopt;
+    auto [primitive, without_area] = add_primitive(buffer_, mesh, vertices, grid, options_.is_packed);
+    if (primitive.indices < 0) {
+      throw InputError("the object " + in_quotes(object.name) +
+                       " is too thin to be quantized: no triangle keeps its area");
+    }
+    primitive.material = material;
+    result_.triangles_without_area += without_area;
     tinygltf::Mesh entry;
     entry.name = object.name;
     entry.primitives.push_back(std::move(primitive));
     model_.meshes.push_back(std::move(entry));
     return static_cast<int>(model_.meshes.size()) - 1;
-  }
-
-  void add_shape(const Object& object, tinygltf::Primitive& primitive) {
-    const MeshView& mesh = scene_.meshes[object.mesh];
-    if (!options_.is_quantized) {
-      primitive.indices = buffer_.add_indices(mesh.triangles, mesh.positions.size());
-      primitive.attributes["POSITION"] = buffer_.add_positions(mesh.positions);
-      return;
-    }
-    const std::vector<ShortPosition> positions = to_grid(mesh.positions, grid_of(object.mesh));
-    const std::vector<sweep::Triangle> triangles = with_area(mesh.triangles, positions);
-    if (triangles.empty()) {
-      throw InputError("the object " + in_quotes(object.name) +
-                       " is too thin to be quantized: no triangle keeps its area");
-    }
-    result_.triangles_without_area += mesh.triangles.size() - triangles.size();
-    primitive.indices = buffer_.add_indices(triangles, positions.size());
-    primitive.attributes["POSITION"] = buffer_.add_positions(positions);
   }
 
   static void place(tinygltf::Node& node, const glm::dmat4& world_from_node, const std::string& name) {

@@ -5,8 +5,10 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "gltf_arrays.hpp"
+#include "gltf_meshopt.hpp"
 #include "sweepkit/error.hpp"
 
 namespace sweepkit::scene {
@@ -18,6 +20,13 @@ constexpr std::size_t kLargestBuffer = std::size_t{1} << 31;
 constexpr int kVertices = TINYGLTF_TARGET_ARRAY_BUFFER;
 constexpr int kIndices = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
 constexpr int kFloat = TINYGLTF_COMPONENT_TYPE_FLOAT;
+
+// What an array packed has more in the JSON: else small ones would make the file larger.
+constexpr std::size_t kPackingText = 150;
+
+constexpr std::size_t aligned(std::size_t size) {
+  return (size + 3) / 4 * 4;
+}
 
 template <class Position>
 auto& at(Position& position, int axis) {
@@ -31,40 +40,53 @@ auto& at(Position& position, int axis) {
 }  // namespace
 
 int GltfBuffer::add_view(std::span<const std::byte> values) {
-  return push_view(values, {});
+  return push_view(values, {}, std::nullopt);
 }
 
-int GltfBuffer::push_view(std::span<const std::byte> values, const Array& array) {
-  const std::size_t start = (bytes.size() + 3) / 4 * 4;
-  if (start >= kLargestBuffer || values.size() >= kLargestBuffer - start) {
+int GltfBuffer::push_view(std::span<const std::byte> values, const Array& array,
+                          const std::optional<GltfPacking>& packing) {
+  const std::size_t start = aligned(bytes.size());
+  if (start >= kLargestBuffer || values.size() >= kLargestBuffer - start ||
+      unpacked_bytes >= kLargestBuffer) {
     throw InputError(
         "the file would be over 2 GiB; ask for fewer cells, smaller images or one object at a time");
   }
   bytes.resize(start);
   bytes.insert(bytes.end(), values.begin(), values.end());
-  views.push_back({.offset = start, .length = values.size(), .target = array.target, .stride = array.stride});
+  views.push_back({start, values.size(), array.target, array.stride, packing});
+  if (packing) {
+    views.back().packing->unpacked_offset = unpacked_bytes;
+    unpacked_bytes = aligned(unpacked_bytes + packing->count * packing->item_bytes);
+  }
   return static_cast<int>(views.size()) - 1;
 }
 
-int GltfBuffer::add_array(const Array& array) {
+int GltfBuffer::add_array(const Array& array, Packed packed) {
+  std::span<const std::byte> values = array.bytes;
+  std::optional<GltfPacking> packing;
+  if (!packed.bytes.empty() && packed.bytes.size() + kPackingText < values.size()) {
+    values = packed.bytes;
+    packing = std::move(packed.packing);
+  }
   // A span that is over the limit may not be there to be read.
-  if (array.bytes.size() < kLargestBuffer) {
-    const std::uint64_t hash = XXH3_64bits(array.bytes.data(), array.bytes.size());
+  if (values.size() < kLargestBuffer) {
+    const std::uint64_t hash = XXH3_64bits(values.data(), values.size());
     for (auto [one, end] = accessors_.equal_range(hash); one != end; ++one) {
       const tinygltf::Accessor& known = model_.accessors[static_cast<std::size_t>(one->second)];
       const GltfView& view = views[static_cast<std::size_t>(known.bufferView)];
+      if (packing && view.packing) packing->unpacked_offset = view.packing->unpacked_offset;
       const auto start = bytes.begin() + static_cast<std::ptrdiff_t>(view.offset);
-      if (view.target == array.target && view.stride == array.stride &&
+      if (view.target == array.target && view.stride == array.stride && view.packing == packing &&
           known.componentType == array.component && known.type == array.type &&
-          known.normalized == array.is_normalized && view.length == array.bytes.size() &&
-          std::equal(array.bytes.begin(), array.bytes.end(), start)) {
+          known.normalized == array.is_normalized && view.length == values.size() &&
+          std::equal(values.begin(), values.end(), start)) {
         return one->second;
       }
     }
     accessors_.emplace(hash, static_cast<int>(model_.accessors.size()));
   }
   tinygltf::Accessor accessor;
-  accessor.bufferView = push_view(array.bytes, array);
+  accessor.bufferView = push_view(values, array, packing);
   accessor.componentType = array.component;
   accessor.type = array.type;
   accessor.count = array.count;
@@ -73,23 +95,43 @@ int GltfBuffer::add_array(const Array& array) {
   return static_cast<int>(model_.accessors.size()) - 1;
 }
 
+template <class Item>
+GltfBuffer::Packed GltfBuffer::pack(std::span<const Item> items, const char* filter) const {
+  if (!encoding_.is_packed) return {};
+  return {pack_vertices(std::as_bytes(items), sizeof(Item)),
+          {.mode = "ATTRIBUTES", .filter = filter, .count = items.size(), .item_bytes = sizeof(Item)}};
+}
+
 int GltfBuffer::add_vertices(std::span<const glm::vec2> texcoords) {
-  if (encoding_.is_quantized) {
-    if (const std::optional<std::vector<ShortTexcoord>> shorts = to_shorts(texcoords)) {
-      return add_array({.bytes = std::as_bytes(std::span(*shorts)),
-                        .count = shorts->size(),
-                        .component = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                        .type = TINYGLTF_TYPE_VEC2,
-                        .target = kVertices,
-                        .is_normalized = true});
+  const Array floats = {std::as_bytes(texcoords), texcoords.size(), kFloat, TINYGLTF_TYPE_VEC2, kVertices};
+  if (!encoding_.is_quantized) return add_array(floats, pack(texcoords));
+  Packed exponential;
+  if (encoding_.is_packed) {
+    if (const auto words = to_exponential(texcoords)) {
+      exponential = pack(std::span(std::as_const(*words)), "EXPONENTIAL");
     }
   }
-  return add_array({std::as_bytes(texcoords), texcoords.size(), kFloat, TINYGLTF_TYPE_VEC2, kVertices});
+  const std::optional<std::vector<ShortTexcoord>> shorts = to_shorts(texcoords);
+  if (!shorts) return add_array(floats, std::move(exponential));
+  Packed packed = pack(std::span(*shorts));
+  // Even steps of cells stay even in a fraction of 16 bits, where they are of one.
+  if (!exponential.bytes.empty() && exponential.bytes.size() < packed.bytes.size() &&
+      exponential.bytes.size() + kPackingText < sizeof(ShortTexcoord) * shorts->size()) {
+    return add_array(floats, std::move(exponential));
+  }
+  return add_array({.bytes = std::as_bytes(std::span(*shorts)),
+                    .count = shorts->size(),
+                    .component = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                    .type = TINYGLTF_TYPE_VEC2,
+                    .target = kVertices,
+                    .is_normalized = true},
+                   std::move(packed));
 }
 
 int GltfBuffer::add_vertices(std::span<const glm::vec3> normals) {
   if (!encoding_.is_quantized) {
-    return add_array({std::as_bytes(normals), normals.size(), kFloat, TINYGLTF_TYPE_VEC3, kVertices});
+    return add_array({std::as_bytes(normals), normals.size(), kFloat, TINYGLTF_TYPE_VEC3, kVertices},
+                     pack(normals));
   }
   const std::vector<ByteVector> vectors = to_bytes(normals);
   return add_array({.bytes = std::as_bytes(std::span(vectors)),
@@ -98,12 +140,14 @@ int GltfBuffer::add_vertices(std::span<const glm::vec3> normals) {
                     .type = TINYGLTF_TYPE_VEC3,
                     .target = kVertices,
                     .stride = sizeof(ByteVector),
-                    .is_normalized = true});
+                    .is_normalized = true},
+                   pack_octahedral(normals));
 }
 
 int GltfBuffer::add_vertices(std::span<const glm::vec4> tangents) {
   if (!encoding_.is_quantized) {
-    return add_array({std::as_bytes(tangents), tangents.size(), kFloat, TINYGLTF_TYPE_VEC4, kVertices});
+    return add_array({std::as_bytes(tangents), tangents.size(), kFloat, TINYGLTF_TYPE_VEC4, kVertices},
+                     pack(tangents));
   }
   const std::vector<ByteVector> vectors = to_bytes(tangents);
   return add_array({.bytes = std::as_bytes(std::span(vectors)),
@@ -111,7 +155,15 @@ int GltfBuffer::add_vertices(std::span<const glm::vec4> tangents) {
                     .component = TINYGLTF_COMPONENT_TYPE_BYTE,
                     .type = TINYGLTF_TYPE_VEC4,
                     .target = kVertices,
-                    .is_normalized = true});
+                    .is_normalized = true},
+                   pack_octahedral(tangents));
+}
+
+template <class Vector>
+GltfBuffer::Packed GltfBuffer::pack_octahedral(std::span<const Vector> vectors) const {
+  if (!encoding_.is_packed) return {};
+  const std::vector<ByteVector> octahedral = to_octahedron(vectors);
+  return pack(std::span(octahedral), "OCTAHEDRAL");
 }
 
 template <class Position>
@@ -124,7 +176,7 @@ int GltfBuffer::add_bounded(std::span<const Position> positions, const Array& ar
       at(high, axis) = std::max(at(high, axis), at(position, axis));
     }
   }
-  const int index = add_array(array);
+  const int index = add_array(array, pack(positions));
   tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
   for (const int axis : {0, 1, 2}) {
     accessor.minValues.push_back(at(low, axis));
@@ -144,15 +196,27 @@ int GltfBuffer::add_positions(std::span<const ShortPosition> positions) {
                       TINYGLTF_TYPE_VEC3, kVertices, sizeof(ShortPosition)});
 }
 
+GltfBuffer::Packed GltfBuffer::pack_indices(std::span<const sweep::Triangle> triangles,
+                                            std::size_t vertex_count) const {
+  if (!encoding_.is_packed) return {};
+  const bool is_short = vertex_count <= kMostShortVertices;
+  return {pack_triangles(triangles, vertex_count),
+          {.mode = "TRIANGLES",
+           .count = 3 * triangles.size(),
+           .item_bytes = is_short ? sizeof(std::uint16_t) : sizeof(std::uint32_t)}};
+}
+
 int GltfBuffer::add_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count) {
   const std::size_t count = 3 * triangles.size();
   if (vertex_count <= kMostShortVertices) {
     const std::vector<std::uint16_t> indices = short_indices(triangles);
     return add_array({std::as_bytes(std::span(indices)), count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                      TINYGLTF_TYPE_SCALAR, kIndices});
+                      TINYGLTF_TYPE_SCALAR, kIndices},
+                     pack_indices(triangles, vertex_count));
   }
-  return add_array({std::as_bytes(triangles), count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                    TINYGLTF_TYPE_SCALAR, kIndices});
+  return add_array(
+      {std::as_bytes(triangles), count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, kIndices},
+      pack_indices(triangles, vertex_count));
 }
 
 int GltfBuffer::add_key_times(std::span<const float> seconds) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -20,6 +21,7 @@ namespace sweepkit::scene {
 /// How arrays become bytes.
 struct GltfEncoding {
   bool is_quantized = false;  ///< KHR_mesh_quantization
+  bool is_packed = false;     ///< EXT_meshopt_compression, where it makes an array smaller
 };
 
 /// A model's one buffer as it grows, with the views and accessors into it. What add_ returns is an index into
@@ -43,6 +45,7 @@ class GltfBuffer {
 
   std::vector<std::byte> bytes;
   std::vector<GltfView> views;
+  std::size_t unpacked_bytes = 0;  ///< of the buffer that packed views unpack into
 
  private:
   struct Array {
@@ -55,8 +58,21 @@ class GltfBuffer {
     bool is_normalized = false;
   };
 
-  int add_array(const Array& array);
-  int push_view(std::span<const std::byte> values, const Array& array);
+  struct Packed {
+    std::vector<std::byte> bytes;
+    GltfPacking packing;
+  };
+
+  /// As it is, or packed if that is smaller.
+  int add_array(const Array& array, Packed packed = {});
+  int push_view(std::span<const std::byte> values, const Array& array,
+                const std::optional<GltfPacking>& packing);
+  /// Nothing unless this buffer packs.
+  template <class Item>
+  Packed pack(std::span<const Item> items, const char* filter = "") const;
+  template <class Vector>
+  Packed pack_octahedral(std::span<const Vector> vectors) const;
+  Packed pack_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count) const;
   template <class Position>
   int add_bounded(std::span<const Position> positions, const Array& array);
 

@@ -48,6 +48,21 @@ PositionGrid position_grid(std::span<const glm::vec3> positions, int bits) {
   return {low, extent > 0 ? extent / ((1 << bits) - 1) : 1};
 }
 
+int bits_for_cells(std::span<const glm::vec3> positions, std::span<const sweep::Triangle> triangles) {
+  double sum = 0;
+  for (const sweep::Triangle& triangle : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::dvec3 edge =
+          glm::dvec3(positions[triangle[i]]) - glm::dvec3(positions[triangle[(i + 1) % 3]]);
+      sum += glm::dot(edge, edge);
+    }
+  }
+  const double edge = std::sqrt(sum / (3.0 * static_cast<double>(triangles.size())));
+  int bits = 8;
+  while (bits < 14 && position_grid(positions, bits).step > edge / 64) ++bits;
+  return bits;
+}
+
 std::vector<ShortPosition> to_grid(std::span<const glm::vec3> positions, const PositionGrid& grid) {
   std::vector<ShortPosition> places(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {

@@ -39,6 +39,7 @@ void read_options(const Node& node, GltfOptions& options) {
   if (const auto text = reader.find("copyright")) options.copyright = text->text();
   if (const auto is = reader.find("quantize")) options.is_quantized = is->boolean();
   if (const auto bits = reader.find("position_bits")) options.position_bits = bits->integer(8, 16, " bits");
+  if (const auto is = reader.find("meshopt")) options.is_packed = is->boolean();
   reader.finish();
 }
 
@@ -64,9 +65,8 @@ std::string gltf_extras(const GltfOptions& options) {
   }
   if (!options.copyright.empty()) add("copyright", value(options.copyright));
   if (options.is_quantized) add("quantize", {true, {}});
-  if (options.position_bits != usual.position_bits) {
-    add("position_bits", {static_cast<double>(options.position_bits), {}});
-  }
+  if (options.position_bits) add("position_bits", {static_cast<double>(*options.position_bits), {}});
+  if (options.is_packed) add("meshopt", {true, {}});
   std::string extras = R"({"sweepkit":{"scene":)" + options.scene;
   if (!members.empty()) extras += R"(,"options":)" + json_text({std::move(members), {}});
   return extras + "}}";

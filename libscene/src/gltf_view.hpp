@@ -15,6 +15,8 @@ struct GltfPacking {
   std::size_t count = 0;
   std::size_t item_bytes = 0;       ///< of one of `count`, unpacked
   std::size_t unpacked_offset = 0;  ///< in the buffer that viewers unpack into
+
+  bool operator==(const GltfPacking&) const = default;
 };
 
 /// A stretch of the buffer, as a bufferView has it.

@@ -88,7 +88,7 @@ void generate_one(const Generate& command) {
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 10> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 11> kGltfOptions = {{
     {"--no-extras", ""},
     {"--copyright", "copyright"},
     {"--tangents", "tangents"},
@@ -99,6 +99,7 @@ constexpr std::array<std::array<const char*, 2>, 10> kGltfOptions = {{
     {"--max-texture", ""},
     {"--quantize", "quantized vertices"},
     {"--position-bits", "quantized vertices"},
+    {"--meshopt", "packed vertices"},
 }};
 
 // A glTF made again from itself has its own options where no others are given.
@@ -118,6 +119,7 @@ void take_options_of(const scene::GltfOptions& own, Generate& command) {
   take({"--copyright"}, gltf.copyright, own.copyright);
   take({"--quantize"}, gltf.is_quantized, own.is_quantized);
   take({"--position-bits"}, gltf.position_bits, own.position_bits);
+  take({"--meshopt"}, gltf.is_packed, own.is_packed);
 }
 
 void settle_gltf_options(Generate& command) {
@@ -139,8 +141,9 @@ void check_gltf_options(const Generate& command) {
     throw InputError({.file = "--unlit"},
                      "is an extension, and --compatible is for viewers that know none; leave one out");
   }
-  if (command.gltf.look == scene::GltfLook::kCompatible && command.gltf.is_quantized) {
-    throw InputError({.file = "--quantize"},
+  if (command.gltf.look == scene::GltfLook::kCompatible &&
+      (command.gltf.is_quantized || command.gltf.is_packed)) {
+    throw InputError({.file = command.gltf.is_quantized ? "--quantize" : "--meshopt"},
                      "is an extension, and --compatible is for viewers that know none; leave one out");
   }
   if (command.output.is_standard() && command.gltf.images_in == scene::GltfImages::kSeparate) {
@@ -277,11 +280,15 @@ void add_generate(CLI::App& app) {
   sub.add_flag("--quantize", command->gltf.is_quantized,
                "Vertices in less than half the bytes (KHR_mesh_quantization, which the viewer must know): "
                "positions in 16 bits, normals and tangents in 8, (u,v) in 16");
-  sub.add_option("--position-bits", command->gltf.position_bits,
-                 "Of --quantize: the longest side of an object's box in 2^N - 1 steps")
-      ->capture_default_str()
+  sub.add_option(
+         "--position-bits", command->gltf.position_bits,
+         "Of --quantize: the longest side of an object's box in 2^N - 1 steps; without it 16, and with "
+         "--meshopt as many as its cells need, 8 to 14")
       ->type_name("N")
       ->check(CLI::Range(8, 16));
+  sub.add_flag("--meshopt", command->gltf.is_packed,
+               "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know); with "
+               "--quantize smallest");
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);
