@@ -56,7 +56,7 @@ class Writer {
 
   GltfFile write() {
     tinygltf::Scene scene;
-    scene.name = "scene";
+    if (!options_.is_minimal) scene.name = "scene";
     const auto is_first = [](const Object& object) { return object.instance == 0; };
     for (auto first = scene_.objects.begin(); first != scene_.objects.end();) {
       const auto end = std::find_if(first + 1, scene_.objects.end(), is_first);
@@ -67,8 +67,10 @@ class Writer {
       first = end;
     }
     if (scene.nodes.empty()) refuse_selection();
-    scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
-    add_camera();
+    if (!options_.is_minimal) {
+      scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
+      add_camera();
+    }
     model_.scenes.push_back(std::move(scene));
     model_.defaultScene = 0;
     if (options_.is_quantized) {
@@ -98,7 +100,7 @@ class Writer {
     GltfContainer container{.views = buffer_.views,
                             .buffer_bytes = buffer_.bytes.size(),
                             .unpacked_bytes = buffer_.unpacked_bytes,
-                            .extras = gltf_extras(options_),
+                            .extras = options_.is_minimal ? "" : gltf_extras(options_),
                             .is_indented = !is_binary_};
     if (is_binary_) {
       const std::string json = gltf_json(model_, container);
@@ -146,9 +148,17 @@ class Writer {
     });
     if (same != materials_.end()) return static_cast<int>(same - materials_.begin());
     materials_.push_back({terms, texture});
-    model_.materials.push_back(
-        material_entry(object.material ? material.name : "default", terms, texture, extensions_));
+    model_.materials.push_back(material_entry(options_.is_minimal ? ""
+                                              : object.material   ? material.name
+                                                                  : "default",
+                                              terms, texture, extensions_));
     return static_cast<int>(materials_.size()) - 1;
+  }
+
+  std::string name_of(const Object& object) const { return options_.is_minimal ? "" : object.name; }
+
+  bool needs_texcoords(int material) const {
+    return !options_.is_minimal || materials_[static_cast<std::size_t>(material)].texture.has_value();
   }
 
   // Its instances. One is a node with the mesh; several are such nodes without names under the object's.
@@ -156,12 +166,12 @@ class Writer {
     const int mesh = add_mesh(instances.front());
     if (instances.size() == 1) {
       add_node(instances.front(), mesh);
-      model_.nodes.back().name = instances.front().name;
+      model_.nodes.back().name = name_of(instances.front());
       return;
     }
     const std::size_t group = model_.nodes.size();
     model_.nodes.emplace_back();
-    model_.nodes.back().name = instances.front().name;
+    model_.nodes.back().name = name_of(instances.front());
     for (const Object& instance : instances) {
       model_.nodes[group].children.push_back(static_cast<int>(model_.nodes.size()));
       add_node(instance, mesh);
@@ -195,8 +205,9 @@ class Writer {
       throw InputError("the object " + in_quotes(object.name) + " has no triangles");
     std::vector<texmap::UvTransform> transforms;
     const int material = add_material(object, transforms);
-    GltfVertices vertices{.texcoords = gltf_texcoords(mesh, transforms)};
-    if (options_.has_tangents) {
+    GltfVertices vertices;
+    if (needs_texcoords(material)) vertices.texcoords = gltf_texcoords(mesh, transforms);
+    if (options_.has_tangents && needs_texcoords(material)) {
       vertices.tangents = sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles);
     }
     const std::optional<PositionGrid> grid =
@@ -209,7 +220,7 @@ class Writer {
     primitive.material = material;
     result_.triangles_without_area += without_area;
     tinygltf::Mesh entry;
-    entry.name = object.name;
+    entry.name = name_of(object);
     entry.primitives.push_back(std::move(primitive));
     model_.meshes.push_back(std::move(entry));
     return static_cast<int>(model_.meshes.size()) - 1;

@@ -113,9 +113,8 @@ int GltfBuffer::add_vertices(std::span<const glm::vec2> texcoords) {
   }
   const std::optional<std::vector<ShortTexcoord>> shorts = to_shorts(texcoords);
   if (!shorts) return add_array(floats, std::move(exponential));
-  Packed packed = pack(std::span(*shorts));
-  // Even steps of cells stay even in a fraction of 16 bits, where they are of one.
-  if (!exponential.bytes.empty() && exponential.bytes.size() < packed.bytes.size() &&
+  // Even steps of cells stay even in a fraction of whole bits.
+  if (!exponential.bytes.empty() &&
       exponential.bytes.size() + kPackingText < sizeof(ShortTexcoord) * shorts->size()) {
     return add_array(floats, std::move(exponential));
   }
@@ -124,8 +123,7 @@ int GltfBuffer::add_vertices(std::span<const glm::vec2> texcoords) {
                     .component = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
                     .type = TINYGLTF_TYPE_VEC2,
                     .target = kVertices,
-                    .is_normalized = true},
-                   std::move(packed));
+                    .is_normalized = true});
 }
 
 int GltfBuffer::add_vertices(std::span<const glm::vec3> normals) {

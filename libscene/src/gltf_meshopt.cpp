@@ -15,7 +15,7 @@
 namespace sweepkit::scene {
 namespace {
 
-constexpr int kFraction = 16;  // bits after the point of to_exponential()
+constexpr int kFraction = 12;  // bits after the point of to_exponential()
 
 std::vector<unsigned int> flat(std::span<const sweep::Triangle> triangles) {
   std::vector<unsigned int> indices;

@@ -23,7 +23,7 @@ std::vector<std::byte> pack_vertices(std::span<const std::byte> items, std::size
 std::vector<std::byte> pack_triangles(std::span<const sweep::Triangle> triangles, std::size_t vertex_count);
 
 /// Unit vectors on the octahedron in steps of 1/127, as the filter OCTAHEDRAL takes them: what it makes of
-/// them is within 0.9 degrees of the vector and unit to the rounding of bytes.
+/// them is off by (2 sqrt(3) + 1) / 254 a part at most, and unit to the rounding of bytes.
 std::vector<ByteVector> to_octahedron(std::span<const glm::vec3> vectors);
 std::vector<ByteVector> to_octahedron(std::span<const glm::vec4> vectors);
 

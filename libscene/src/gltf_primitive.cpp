@@ -10,7 +10,7 @@ namespace sweepkit::scene {
 
 GltfPrimitive add_primitive(GltfBuffer& buffer, const MeshView& mesh, const GltfVertices& vertices,
                             const std::optional<PositionGrid>& grid, bool is_packed) {
-  const MeshOrder order = is_packed ? strip_order(mesh) : MeshOrder();
+  MeshOrder order = is_packed ? strip_order(mesh) : MeshOrder();
   std::span<const sweep::Triangle> triangles = is_packed ? std::span(order.triangles) : mesh.triangles;
   // Calls `use` with the items in the file's order.
   const auto ordered = [&]<class T>(std::span<const T> items, const auto& use) {
@@ -30,8 +30,15 @@ GltfPrimitive add_primitive(GltfBuffer& buffer, const MeshView& mesh, const Gltf
     primitive.without_area = triangles.size() - kept.size();
     triangles = kept;
     if (kept.empty()) return primitive;
+    if (is_packed && primitive.without_area > 0) {
+      order.triangles = std::move(kept);
+      drop_unused_vertices(order);
+      triangles = order.triangles;
+      places = ordered(mesh.positions, [&](auto positions) { return to_grid(positions, *grid); });
+    }
   }
-  primitive.entry.indices = buffer.add_indices(triangles, mesh.positions.size());
+  primitive.entry.indices =
+      buffer.add_indices(triangles, is_packed ? order.vertices.size() : mesh.positions.size());
   auto& attributes = primitive.entry.attributes;
   attributes["POSITION"] =
       grid ? buffer.add_positions(std::span<const ShortPosition>(places))

@@ -59,7 +59,7 @@ int bits_for_cells(std::span<const glm::vec3> positions, std::span<const sweep::
   }
   const double edge = std::sqrt(sum / (3.0 * static_cast<double>(triangles.size())));
   int bits = 8;
-  while (bits < 14 && position_grid(positions, bits).step > edge / 64) ++bits;
+  while (bits < 14 && position_grid(positions, bits).step > edge / 32) ++bits;
   return bits;
 }
 

@@ -6,7 +6,6 @@
 #include "strip_order.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "gltf_meshopt.hpp"
@@ -24,6 +23,7 @@ class Walk {
   explicit Walk(const MeshView& mesh)
       : mesh_(mesh),
         places_(to_grid(mesh.positions, position_grid(mesh.positions, kBits))),
+        normals_(to_octahedron(mesh.normals)),
         new_index_(mesh.positions.size(), kNone) {
     order_.vertices.reserve(mesh.positions.size());
     order_.triangles.reserve(mesh.triangles.size());
@@ -38,15 +38,15 @@ class Walk {
       if (&patch != &*largest) walk_patch(patch, true);
     }
     if (largest != mesh_.patches.end()) walk_patch(*largest, false);
-    for (std::uint32_t vertex = 0; vertex < new_index_.size(); ++vertex) take(vertex);
     for (Triangle& triangle : order_.triangles) {
       for (std::uint32_t& vertex : triangle) vertex = new_index_[vertex];
     }
+    drop_unused_vertices(order_);
     return std::move(order_);
   }
 
  private:
-  // Which way to go is told well by steps of 1 / 4095 of the box.
+  // Which way is smaller is told well by steps of 1 / 4095 of the box.
   static constexpr int kBits = 12;
 
   void take(std::uint32_t vertex) {
@@ -106,28 +106,22 @@ class Walk {
     }
   }
 
-  // Bits of a difference along the lines, on average over some of them.
-  double cost(const GridPatch& patch, bool by_rows) const {
-    constexpr std::uint32_t kEnough = 64;
-    double bits = 0;
-    double count = 0;
-    for (std::uint32_t line = 0; line <= lines(patch, by_rows);
-         line += std::max(1u, lines(patch, by_rows) / kEnough)) {
-      std::uint32_t before = kNone;
+  // Bytes that the codecs make of it, walked that way.
+  std::size_t cost(const GridPatch& patch, bool by_rows) const {
+    constexpr std::size_t kRestart = 3;  // a line's first triangle
+    std::vector<ShortPosition> places;
+    std::vector<ByteVector> normals;
+    places.reserve(patch.vertex_count());
+    normals.reserve(patch.vertex_count());
+    for (std::uint32_t line = 0; line <= lines(patch, by_rows); ++line) {
       each_vertex(patch, by_rows, line, [&](std::uint32_t vertex) {
-        if (before != kNone) {
-          count += 1;
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            const int step = int{places_[vertex][axis]} - int{places_[before][axis]};
-            const float turn =
-                mesh_.normals[vertex][static_cast<int>(axis)] - mesh_.normals[before][static_cast<int>(axis)];
-            bits += std::log2(1.0 + std::abs(step)) + std::log2(1.0 + 127.0 * std::abs(turn));
-          }
-        }
-        before = vertex;
+        places.push_back(places_[vertex]);
+        normals.push_back(normals_[vertex]);
       });
     }
-    return bits / std::max(count, 1.0);
+    return kRestart * lines(patch, by_rows) +
+           pack_vertices(std::as_bytes(std::span(places)), sizeof(ShortPosition)).size() +
+           pack_vertices(std::as_bytes(std::span(normals)), sizeof(ByteVector)).size();
   }
 
   // The codec's next new vertex falls a line behind in a patch; `catches_up`: not in this one, so that the
@@ -150,11 +144,29 @@ class Walk {
 
   const MeshView& mesh_;
   std::vector<ShortPosition> places_;
+  std::vector<ByteVector> normals_;
   std::vector<std::uint32_t> new_index_;
   MeshOrder order_;
 };
 
 }  // namespace
+
+void drop_unused_vertices(MeshOrder& order) {
+  std::vector<std::uint32_t> new_index(order.vertices.size(), kNone);
+  for (const Triangle& triangle : order.triangles) {
+    for (const std::uint32_t vertex : triangle) new_index[vertex] = 0;
+  }
+  std::uint32_t count = 0;
+  for (std::uint32_t vertex = 0; vertex < new_index.size(); ++vertex) {
+    if (new_index[vertex] == kNone) continue;
+    order.vertices[count] = order.vertices[vertex];
+    new_index[vertex] = count++;
+  }
+  order.vertices.resize(count);
+  for (Triangle& triangle : order.triangles) {
+    for (std::uint32_t& vertex : triangle) vertex = new_index[vertex];
+  }
+}
 
 MeshOrder strip_order(const MeshView& mesh) {
   return Walk(mesh).walk();

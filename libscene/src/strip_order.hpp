@@ -12,7 +12,7 @@ namespace sweepkit::scene {
 
 /// A mesh's vertices and triangles in another order.
 struct MeshOrder {
-  std::vector<std::uint32_t> vertices;     ///< those of the mesh, each once
+  std::vector<std::uint32_t> vertices;     ///< those of the mesh that are in use, each once
   std::vector<sweep::Triangle> triangles;  ///< of indices into `vertices`
 };
 
@@ -23,6 +23,9 @@ struct MeshOrder {
 /// the vertices numbered line by line: its lower line is then always the next vertex, its upper line the one
 /// after. Triangles of no patch go first.
 MeshOrder strip_order(const MeshView& mesh);
+
+/// Leaves out the vertices that no triangle has any more: the codec's next new vertex would wait for them.
+void drop_unused_vertices(MeshOrder& order);
 
 /// The items in the order's.
 template <class T>

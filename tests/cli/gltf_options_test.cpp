@@ -20,7 +20,9 @@ TEST(GltfOptions, AreRefusedForFormatsThatHaveNothingOfTheKind) {
                                              {"--image-format", "jpg"},
                                              {"--max-texture", "64"},
                                              {"--quantize"},
-                                             {"--position-bits", "12"}}) {
+                                             {"--position-bits", "12"},
+                                             {"--meshopt"},
+                                             {"--minimal"}}) {
     std::vector<std::string> arguments = {"generate", "s.json", "-o", "b.stl"};
     arguments.insert(arguments.end(), option.begin(), option.end());
     const Outcome run = workshop.sweepkit(arguments);

@@ -88,7 +88,7 @@ void generate_one(const Generate& command) {
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 11> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 12> kGltfOptions = {{
     {"--no-extras", ""},
     {"--copyright", "copyright"},
     {"--tangents", "tangents"},
@@ -100,6 +100,7 @@ constexpr std::array<std::array<const char*, 2>, 11> kGltfOptions = {{
     {"--quantize", "quantized vertices"},
     {"--position-bits", "quantized vertices"},
     {"--meshopt", "packed vertices"},
+    {"--minimal", "names, cameras and extras"},
 }};
 
 // A glTF made again from itself has its own options where no others are given.
@@ -289,6 +290,10 @@ void add_generate(CLI::App& app) {
   sub.add_flag("--meshopt", command->gltf.is_packed,
                "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know); with "
                "--quantize smallest");
+  sub.add_flag(
+      "--minimal", command->gltf.is_minimal,
+      "Only what shows the objects: no names, no camera, no extras (the file cannot be made again from "
+      "itself), and (u,v) only where there is a texture");
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);
