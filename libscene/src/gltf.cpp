@@ -54,7 +54,7 @@ class Writer {
     model_.asset.copyright = options.copyright;
   }
 
-  GltfFile write() {
+  GltfPieces write() {
     tinygltf::Scene scene;
     if (!options_.is_minimal) scene.name = "scene";
     const auto is_first = [](const Object& object) { return object.instance == 0; };
@@ -82,8 +82,7 @@ class Writer {
       model_.extensionsRequired.emplace_back("EXT_meshopt_compression");
     }
     model_.extensionsUsed.assign(extensions_.begin(), extensions_.end());
-    add_files();
-    return std::move(result_);
+    return files();
   }
 
  private:
@@ -96,21 +95,33 @@ class Writer {
     throw InputError("there is no object " + in_quotes(*options_.object) + "; there is " + names);
   }
 
-  void add_files() {
+  GltfPieces files() {
     GltfContainer container{.views = buffer_.views,
-                            .buffer_bytes = buffer_.bytes.size(),
+                            .buffer_bytes = buffer_.size,
                             .unpacked_bytes = buffer_.unpacked_bytes,
                             .extras = options_.is_minimal ? "" : gltf_extras(options_),
                             .is_indented = !is_binary_};
+    GltfPieces made{.kept = std::move(buffer_.kept),
+                    .ledger = result_.ledger,
+                    .triangles_without_area = result_.triangles_without_area};
+    const auto add = [&](const std::string& name, std::vector<std::byte> bytes) {
+      made.files.push_back({name, {made.kept.emplace_back(std::move(bytes))}});
+    };
+    for (NamedBytes& image : result_.files) add(image.name, std::move(image.bytes));
+    std::vector<std::span<const std::byte>>& pieces = buffer_.pieces;
     if (is_binary_) {
       const std::string json = gltf_json(model_, container);
-      result_.files.push_back({stem_ + ".glb", glb_bytes(json, std::move(buffer_.bytes))});
-      return;
+      add(stem_ + ".glb", glb_head(json, buffer_.size));
+      std::vector<std::span<const std::byte>>& whole = made.files.back().pieces;
+      whole.insert(whole.end(), pieces.begin(), pieces.end());
+      whole.push_back(made.kept.emplace_back((4 - buffer_.size % 4) % 4));
+      return made;
     }
     const std::string name = stem_ + ".bin";
     container.buffer_uri = percent_encoded(name);
-    result_.files.push_back({name, std::move(buffer_.bytes)});
-    result_.files.push_back({stem_ + ".gltf", to_bytes(gltf_json(model_, container))});
+    made.files.push_back({name, std::move(pieces)});
+    add(stem_ + ".gltf", to_bytes(gltf_json(model_, container)));
+    return made;
   }
 
   GltfBody body_of(const Object& object) {
@@ -282,9 +293,24 @@ class Writer {
 
 }  // namespace
 
+GltfPieces make_gltf_pieces(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
+                            const GltfOptions& options) {
+  return Writer(scene, plan, file, options).write();
+}
+
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options) {
-  return Writer(scene, plan, file, options).write();
+  GltfPieces made = make_gltf_pieces(scene, plan, file, options);
+  GltfFile whole{.ledger = std::move(made.ledger), .triangles_without_area = made.triangles_without_area};
+  for (const GltfPieces::File& part : made.files) {
+    std::size_t size = 0;
+    for (const auto& piece : part.pieces) size += piece.size();
+    NamedBytes bytes{.name = part.name};
+    bytes.bytes.reserve(size);
+    for (const auto& piece : part.pieces) bytes.bytes.insert(bytes.bytes.end(), piece.begin(), piece.end());
+    whole.files.push_back(std::move(bytes));
+  }
+  return whole;
 }
 
 }  // namespace sweepkit::scene

@@ -5,6 +5,7 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "gltf_arrays.hpp"
@@ -43,16 +44,28 @@ int GltfBuffer::add_view(std::span<const std::byte> values) {
   return push_view(values, {}, std::nullopt);
 }
 
+void GltfBuffer::push_piece(std::span<const std::byte> piece) {
+  if (piece.empty()) return;
+  pieces.push_back(piece);
+  size += piece.size();
+}
+
 int GltfBuffer::push_view(std::span<const std::byte> values, const Array& array,
                           const std::optional<GltfPacking>& packing) {
-  const std::size_t start = aligned(bytes.size());
+  static constexpr std::array<std::byte, 3> kPadding = {};
+  const std::size_t start = aligned(size);
   if (start >= kLargestBuffer || values.size() >= kLargestBuffer - start ||
       unpacked_bytes >= kLargestBuffer) {
     throw InputError(
         "the file would be over 2 GiB; ask for fewer cells, smaller images or one object at a time");
   }
-  bytes.resize(start);
-  bytes.insert(bytes.end(), values.begin(), values.end());
+  push_piece(std::span(kPadding).first(start - size));
+  piece_of_view_.push_back(pieces.size());
+  if (array.lifetime == Lifetime::kLasting && !packing) {
+    push_piece(values);
+  } else {
+    push_piece(kept.emplace_back(values.begin(), values.end()));
+  }
   views.push_back({start, values.size(), array.target, array.stride, packing});
   if (packing) {
     views.back().packing->unpacked_offset = unpacked_bytes;
@@ -75,11 +88,10 @@ int GltfBuffer::add_array(const Array& array, Packed packed) {
       const tinygltf::Accessor& known = model_.accessors[static_cast<std::size_t>(one->second)];
       const GltfView& view = views[static_cast<std::size_t>(known.bufferView)];
       if (packing && view.packing) packing->unpacked_offset = view.packing->unpacked_offset;
-      const auto start = bytes.begin() + static_cast<std::ptrdiff_t>(view.offset);
       if (view.target == array.target && view.stride == array.stride && view.packing == packing &&
           known.componentType == array.component && known.type == array.type &&
           known.normalized == array.is_normalized && view.length == values.size() &&
-          std::equal(values.begin(), values.end(), start)) {
+          std::ranges::equal(values, pieces[piece_of_view_[static_cast<std::size_t>(known.bufferView)]])) {
         return one->second;
       }
     }
@@ -102,8 +114,9 @@ GltfBuffer::Packed GltfBuffer::pack(std::span<const Item> items, const char* fil
           {.mode = "ATTRIBUTES", .filter = filter, .count = items.size(), .item_bytes = sizeof(Item)}};
 }
 
-int GltfBuffer::add_vertices(std::span<const glm::vec2> texcoords) {
-  const Array floats = {std::as_bytes(texcoords), texcoords.size(), kFloat, TINYGLTF_TYPE_VEC2, kVertices};
+int GltfBuffer::add_vertices(std::span<const glm::vec2> texcoords, Lifetime lifetime) {
+  const Array floats = {
+      std::as_bytes(texcoords), texcoords.size(), kFloat, TINYGLTF_TYPE_VEC2, kVertices, 0, false, lifetime};
   if (!encoding_.is_quantized) return add_array(floats, pack(texcoords));
   Packed exponential;
   if (encoding_.is_packed) {
@@ -126,10 +139,11 @@ int GltfBuffer::add_vertices(std::span<const glm::vec2> texcoords) {
                     .is_normalized = true});
 }
 
-int GltfBuffer::add_vertices(std::span<const glm::vec3> normals) {
+int GltfBuffer::add_vertices(std::span<const glm::vec3> normals, Lifetime lifetime) {
   if (!encoding_.is_quantized) {
-    return add_array({std::as_bytes(normals), normals.size(), kFloat, TINYGLTF_TYPE_VEC3, kVertices},
-                     pack(normals));
+    return add_array(
+        {std::as_bytes(normals), normals.size(), kFloat, TINYGLTF_TYPE_VEC3, kVertices, 0, false, lifetime},
+        pack(normals));
   }
   const std::vector<ByteVector> vectors = to_bytes(normals);
   return add_array({.bytes = std::as_bytes(std::span(vectors)),
@@ -142,10 +156,11 @@ int GltfBuffer::add_vertices(std::span<const glm::vec3> normals) {
                    pack_octahedral(normals));
 }
 
-int GltfBuffer::add_vertices(std::span<const glm::vec4> tangents) {
+int GltfBuffer::add_vertices(std::span<const glm::vec4> tangents, Lifetime lifetime) {
   if (!encoding_.is_quantized) {
-    return add_array({std::as_bytes(tangents), tangents.size(), kFloat, TINYGLTF_TYPE_VEC4, kVertices},
-                     pack(tangents));
+    return add_array(
+        {std::as_bytes(tangents), tangents.size(), kFloat, TINYGLTF_TYPE_VEC4, kVertices, 0, false, lifetime},
+        pack(tangents));
   }
   const std::vector<ByteVector> vectors = to_bytes(tangents);
   return add_array({.bytes = std::as_bytes(std::span(vectors)),
@@ -183,9 +198,9 @@ int GltfBuffer::add_bounded(std::span<const Position> positions, const Array& ar
   return index;
 }
 
-int GltfBuffer::add_positions(std::span<const glm::vec3> positions) {
-  return add_bounded(positions,
-                     {std::as_bytes(positions), positions.size(), kFloat, TINYGLTF_TYPE_VEC3, kVertices});
+int GltfBuffer::add_positions(std::span<const glm::vec3> positions, Lifetime lifetime) {
+  return add_bounded(positions, {std::as_bytes(positions), positions.size(), kFloat, TINYGLTF_TYPE_VEC3,
+                                 kVertices, 0, false, lifetime});
 }
 
 int GltfBuffer::add_positions(std::span<const ShortPosition> positions) {
@@ -204,7 +219,8 @@ GltfBuffer::Packed GltfBuffer::pack_indices(std::span<const sweep::Triangle> tri
            .item_bytes = is_short ? sizeof(std::uint16_t) : sizeof(std::uint32_t)}};
 }
 
-int GltfBuffer::add_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count) {
+int GltfBuffer::add_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count,
+                            Lifetime lifetime) {
   const std::size_t count = 3 * triangles.size();
   if (vertex_count <= kMostShortVertices) {
     const std::vector<std::uint16_t> indices = short_indices(triangles);
@@ -212,9 +228,9 @@ int GltfBuffer::add_indices(std::span<const sweep::Triangle> triangles, std::siz
                       TINYGLTF_TYPE_SCALAR, kIndices},
                      pack_indices(triangles, vertex_count));
   }
-  return add_array(
-      {std::as_bytes(triangles), count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, kIndices},
-      pack_indices(triangles, vertex_count));
+  return add_array({std::as_bytes(triangles), count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                    TINYGLTF_TYPE_SCALAR, kIndices, 0, false, lifetime},
+                   pack_indices(triangles, vertex_count));
 }
 
 int GltfBuffer::add_key_times(std::span<const float> seconds) {

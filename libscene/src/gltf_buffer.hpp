@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
@@ -33,17 +34,24 @@ class GltfBuffer {
   explicit GltfBuffer(tinygltf::Model& model, const GltfEncoding& encoding = {})
       : model_(model), encoding_(encoding) {}
 
+  enum class Lifetime { kShort, kLasting };
+
   int add_view(std::span<const std::byte> bytes);
-  int add_vertices(std::span<const glm::vec2> texcoords);
-  int add_vertices(std::span<const glm::vec3> normals);
-  int add_vertices(std::span<const glm::vec4> tangents);
-  int add_positions(std::span<const glm::vec3> positions);      ///< with their bounds
+  int add_vertices(std::span<const glm::vec2> texcoords, Lifetime lifetime = Lifetime::kShort);
+  int add_vertices(std::span<const glm::vec3> normals, Lifetime lifetime = Lifetime::kShort);
+  int add_vertices(std::span<const glm::vec4> tangents, Lifetime lifetime = Lifetime::kShort);
+  int add_positions(std::span<const glm::vec3> positions,
+                    Lifetime lifetime = Lifetime::kShort);      ///< with their bounds
   int add_positions(std::span<const ShortPosition> positions);  ///< with their bounds
-  int add_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count);
+  int add_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count,
+                  Lifetime lifetime = Lifetime::kShort);
   int add_key_times(std::span<const float> seconds);  ///< rising; with their bounds
   int add_rotations(std::span<const glm::vec4> quaternions);
 
-  std::vector<std::byte> bytes;
+  /// What the pieces point to that nobody else keeps. Moving it moves no bytes.
+  std::deque<std::vector<std::byte>> kept;
+  std::vector<std::span<const std::byte>> pieces;
+  std::size_t size = 0;  ///< of all pieces
   std::vector<GltfView> views;
   std::size_t unpacked_bytes = 0;  ///< of the buffer that packed views unpack into
 
@@ -56,6 +64,7 @@ class GltfBuffer {
     int target = 0;
     std::size_t stride = 0;  ///< where items are padded; 0: packed
     bool is_normalized = false;
+    Lifetime lifetime = Lifetime::kShort;
   };
 
   struct Packed {
@@ -67,6 +76,7 @@ class GltfBuffer {
   int add_array(const Array& array, Packed packed = {});
   int push_view(std::span<const std::byte> values, const Array& array,
                 const std::optional<GltfPacking>& packing);
+  void push_piece(std::span<const std::byte> piece);
   /// Nothing unless this buffer packs.
   template <class Item>
   Packed pack(std::span<const Item> items, const char* filter = "") const;
@@ -79,6 +89,7 @@ class GltfBuffer {
   tinygltf::Model& model_;
   GltfEncoding encoding_;
   std::unordered_multimap<std::uint64_t, int> accessors_;  // by hash of their bytes
+  std::vector<std::size_t> piece_of_view_;
 };
 
 }  // namespace sweepkit::scene

@@ -69,16 +69,16 @@ std::string gltf_json(tinygltf::Model& model, const GltfContainer& container) {
   return json;
 }
 
-std::vector<std::byte> glb_bytes(const std::string& json, std::vector<std::byte> buffer) {
+std::vector<std::byte> glb_head(const std::string& json, std::size_t buffer_bytes) {
   const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
   const std::size_t json_size = padded(json.size());
-  const std::size_t buffer_size = padded(buffer.size());
+  const std::size_t buffer_size = padded(buffer_bytes);
   const std::size_t whole = 12 + 8 + json_size + 8 + buffer_size;
   if (whole > 0xFFFFFFFFu) {
     throw InputError("the file would be over 4 GiB, more than a .glb counts; ask for fewer objects or cells");
   }
   std::vector<std::byte> out;
-  out.reserve(whole);
+  out.reserve(28 + json_size);
   const auto word = [&](std::size_t value) {
     for (int i = 0; i < 4; ++i) out.push_back(static_cast<std::byte>((value >> (8 * i)) & 0xFF));
   };
@@ -92,9 +92,6 @@ std::vector<std::byte> glb_bytes(const std::string& json, std::vector<std::byte>
   out.resize(20 + json_size, std::byte{' '});
   word(buffer_size);
   word(0x004E4942);  // "BIN"
-  out.insert(out.end(), buffer.begin(), buffer.end());
-  buffer = {};
-  out.resize(whole);
   return out;
 }
 

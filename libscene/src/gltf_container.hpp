@@ -28,7 +28,7 @@ struct GltfContainer {
 /// null. Throws OutputError where it fails.
 std::string gltf_json(tinygltf::Model& model, const GltfContainer& container);
 
-/// The .glb: header, the JSON padded with spaces, the buffer padded with zeros.
-std::vector<std::byte> glb_bytes(const std::string& json, std::vector<std::byte> buffer);
+/// What comes before the buffer in a .glb: header, the JSON padded with spaces, the buffer's own header.
+std::vector<std::byte> glb_head(const std::string& json, std::size_t buffer_bytes);
 
 }  // namespace sweepkit::scene

@@ -18,7 +18,10 @@ GltfPrimitive add_primitive(GltfBuffer& buffer, const MeshView& mesh, const Gltf
     const std::vector<T> moved = in_order(items, order);
     return use(std::span<const T>(moved));
   };
+  // What is in the mesh's own order is the mesh's own, and needs no copy.
+  const auto lifetime = is_packed ? GltfBuffer::Lifetime::kShort : GltfBuffer::Lifetime::kLasting;
   const auto add = [&](auto items) { return buffer.add_vertices(items); };
+  const auto add_own = [&](auto items) { return buffer.add_vertices(items, lifetime); };
 
   GltfPrimitive primitive;
   primitive.entry.mode = TINYGLTF_MODE_TRIANGLES;
@@ -38,12 +41,14 @@ GltfPrimitive add_primitive(GltfBuffer& buffer, const MeshView& mesh, const Gltf
     }
   }
   primitive.entry.indices =
-      buffer.add_indices(triangles, is_packed ? order.vertices.size() : mesh.positions.size());
+      buffer.add_indices(triangles, is_packed ? order.vertices.size() : mesh.positions.size(),
+                         grid ? GltfBuffer::Lifetime::kShort : lifetime);
   auto& attributes = primitive.entry.attributes;
-  attributes["POSITION"] =
-      grid ? buffer.add_positions(std::span<const ShortPosition>(places))
-           : ordered(mesh.positions, [&](auto positions) { return buffer.add_positions(positions); });
-  attributes["NORMAL"] = ordered(mesh.normals, add);
+  attributes["POSITION"] = grid ? buffer.add_positions(std::span<const ShortPosition>(places))
+                                : ordered(mesh.positions, [&](auto positions) {
+                                    return buffer.add_positions(positions, lifetime);
+                                  });
+  attributes["NORMAL"] = ordered(mesh.normals, add_own);
   if (!vertices.tangents.empty()) {
     attributes["TANGENT"] = ordered(std::span<const glm::vec4>(vertices.tangents), add);
   }

@@ -35,6 +35,15 @@ void write(const std::vector<scene::NamedBytes>& parts, const std::filesystem::p
   scene::write_files(files);
 }
 
+void write(const scene::GltfPieces& gltf, const std::filesystem::path& file) {
+  std::vector<scene::OutputFile> files;
+  for (const scene::GltfPieces::File& part : gltf.files) {
+    const bool is_whole = &part == &gltf.files.back();
+    files.push_back({is_whole ? file : file.parent_path() / part.name, {}, part.pieces});
+  }
+  scene::write_files(files);
+}
+
 // What the meshes and the file take together, of what the meshes take: the bytes of a triangle with its half
 // a vertex are 30 in memory, about as many in glTF and PLY, 50 in STL, and up to 80 and 120 as text.
 std::uint64_t memory_factor(const std::string& file) {
@@ -216,8 +225,12 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
     keep(output.files, output.ledger);
     made.triangles = output.triangles;
   } else {
-    const scene::GltfFile gltf = scene::make_gltf(model.scene, plan, file, options);
-    keep(gltf.files, gltf.ledger);
+    const scene::GltfPieces gltf = scene::make_gltf_pieces(model.scene, plan, file, options);
+    write(gltf, file);
+    made.ledger.add(gltf.ledger);
+    for (const scene::GltfPieces::File& part : gltf.files) {
+      for (const std::span<const std::byte> piece : part.pieces) made.bytes += piece.size();
+    }
     for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
     made.triangles -= gltf.triangles_without_area;
     made.triangles_without_area = gltf.triangles_without_area;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,6 +70,18 @@ struct GltfFile {
   std::size_t triangles_without_area = 0;  ///< left out, since quantizing made them an edge or a point
 };
 
+/// A GltfFile whose bytes are in pieces, many of them the scene's own arrays: the scene must outlive it.
+struct GltfPieces {
+  struct File {
+    std::string name;
+    std::vector<std::span<const std::byte>> pieces;
+  };
+  std::vector<File> files;
+  std::deque<std::vector<std::byte>> kept;  ///< what pieces point to beside the scene
+  Ledger ledger;
+  std::size_t triangles_without_area = 0;
+};
+
 /// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
 /// has several instances the node has a child for each, and they share the mesh. .glb holds everything; .gltf
 /// has its buffer and images beside it, named for `file`. Positions are relative to each mesh's origin, which
@@ -75,6 +89,10 @@ struct GltfFile {
 /// that needs no change is copied byte for byte. The same scene gives the same bytes. Throws InputError for
 /// an unknown object, one without triangles or with none left when quantized, one that an instance shears, a
 /// copyright that is no UTF-8, or a file over 2 GiB.
+GltfPieces make_gltf_pieces(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
+                            const GltfOptions& options);
+
+/// The same, each file in one piece.
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options);
 
