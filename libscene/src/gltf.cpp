@@ -19,6 +19,7 @@
 #include "gltf_container.hpp"
 #include "gltf_extras.hpp"
 #include "gltf_material_entry.hpp"
+#include "gltf_mirror.hpp"
 #include "gltf_primitive.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
@@ -142,38 +143,45 @@ class Writer {
   int add_material(const Object& object, std::vector<texmap::UvTransform>& transforms) {
     const Material material = object.material ? scene_.materials[*object.material] : Material{};
     const GltfBody body = material.transmit > 0 ? body_of(object) : GltfBody{};
-    std::optional<int> texture;
+    GltfMaps maps;
     if (material.texture && plan_.textures[*material.texture]) {
       const texmap::Texture& source = scene_.textures[*material.texture];
       if (const auto* procedural = std::get_if<texmap::Procedural>(&source)) {
         if (plan_.needs_part(Part::kBakes)) {
-          texture = textures_.baked_texture(object, *procedural, transforms);
+          maps.base_color = textures_.baked_texture(object, *procedural, transforms);
         }
       } else {
-        texture = textures_.image_texture(*material.texture);
+        maps.base_color = textures_.image_texture(*material.texture);
       }
+    }
+    if (material.normal_map && plan_.needs_part(Part::kNormalMaps)) {
+      // A texture that was baked over the mesh has (u,v) of its own there.
+      maps.normals = {textures_.image_texture(*material.normal_map), material.normal_strength,
+                      transforms.empty() ? 0 : 1};
     }
     const GltfMaterial terms = to_gltf(material, options_.look, body);
     const auto same = std::find_if(materials_.begin(), materials_.end(), [&](const MaterialInUse& one) {
-      return one.terms == terms && one.texture == texture;
+      return one.terms == terms && one.maps == maps;
     });
     if (same != materials_.end()) return static_cast<int>(same - materials_.begin());
-    materials_.push_back({terms, texture});
+    materials_.push_back({terms, maps});
     model_.materials.push_back(material_entry(options_.is_minimal ? ""
                                               : object.material   ? material.name
                                                                   : "default",
-                                              terms, texture, extensions_));
+                                              terms, maps, extensions_));
     return static_cast<int>(materials_.size()) - 1;
   }
 
   std::string name_of(const Object& object) const { return options_.is_minimal ? "" : object.name; }
 
   bool needs_texcoords(int material) const {
-    return !options_.is_minimal || materials_[static_cast<std::size_t>(material)].texture.has_value();
+    return !options_.is_minimal || materials_[static_cast<std::size_t>(material)].maps != GltfMaps();
   }
 
   // Its instances. One is a node with the mesh; several are such nodes without names under the object's.
   void add_object(std::span<const Object> instances) {
+    const MeshView& own = scene_.meshes[instances.front().mesh];
+    if (!own.tangents.empty() && all_mirror(instances)) mirrored_.try_emplace(instances.front().mesh, own);
     const int mesh = add_mesh(instances.front());
     if (instances.size() == 1) {
       add_node(instances.front(), mesh);
@@ -189,11 +197,18 @@ class Writer {
     }
   }
 
+  // As it stands in the file.
+  MeshView view_of(std::size_t mesh) const {
+    const auto mirrored = mirrored_.find(mesh);
+    const MeshView& own = scene_.meshes[mesh];
+    return mirrored != mirrored_.end() ? mirrored->second.view(own) : own;
+  }
+
   // Of a mesh in floats the identity.
   const PositionGrid& grid_of(std::size_t mesh) {
     const auto [found, is_new] = grids_.try_emplace(mesh);
     if (is_new && options_.is_quantized) {
-      const MeshView& view = scene_.meshes[mesh];
+      const MeshView view = view_of(mesh);
       const int usual = options_.is_packed ? bits_for_cells(view.positions, view.triangles) : 16;
       found->second = position_grid(view.positions, options_.position_bits.value_or(usual));
     }
@@ -202,8 +217,12 @@ class Writer {
 
   void add_node(const Object& object, int mesh) {
     const PositionGrid& grid = grid_of(object.mesh);
-    glm::dmat4 node_from_mesh = glm::dmat4(glm::dmat3(grid.step));
-    node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin + grid.offset, 1);
+    glm::dmat4 node_from_mesh(1.0);
+    node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
+    if (mirrored_.contains(object.mesh)) node_from_mesh[0] = -node_from_mesh[0];
+    glm::dmat4 mesh_from_grid = glm::dmat4(glm::dmat3(grid.step));
+    mesh_from_grid[3] = glm::dvec4(grid.offset, 1);
+    node_from_mesh = node_from_mesh * mesh_from_grid;
     tinygltf::Node node;
     node.mesh = mesh;
     place(node, object.world_from_object * node_from_mesh, object.name);
@@ -211,15 +230,20 @@ class Writer {
   }
 
   int add_mesh(const Object& object) {
-    const MeshView& mesh = scene_.meshes[object.mesh];
+    const MeshView mesh = view_of(object.mesh);
     if (mesh.triangles.empty())
       throw InputError("the object " + in_quotes(object.name) + " has no triangles");
     std::vector<texmap::UvTransform> transforms;
     const int material = add_material(object, transforms);
-    GltfVertices vertices;
-    if (needs_texcoords(material)) vertices.texcoords = gltf_texcoords(mesh, transforms);
-    if (options_.has_tangents && needs_texcoords(material)) {
-      vertices.tangents = sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles);
+    GltfVertices vertices{.lasts = !mirrored_.contains(object.mesh)};
+    vertices.tangents.assign(mesh.tangents.begin(), mesh.tangents.end());
+    if (needs_texcoords(material)) {
+      vertices.texcoords = gltf_texcoords(mesh, transforms);
+      if (!mesh.tangents.empty() && !transforms.empty()) vertices.second_texcoords = gltf_texcoords(mesh, {});
+      if (mesh.tangents.empty() && options_.has_tangents) {
+        vertices.tangents =
+            sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles);
+      }
     }
     const std::optional<PositionGrid> grid =
         options_.is_quantized ? std::optional(grid_of(object.mesh)) : std::nullopt;
@@ -273,7 +297,7 @@ class Writer {
 
   struct MaterialInUse {
     GltfMaterial terms;
-    std::optional<int> texture;
+    GltfMaps maps;
   };
 
   const Scene& scene_;
@@ -288,6 +312,7 @@ class Writer {
   std::vector<MaterialInUse> materials_;                      // as model_.materials
   std::map<std::size_t, std::optional<double>> thicknesses_;  // by mesh
   std::map<std::size_t, PositionGrid> grids_;                 // by mesh
+  std::map<std::size_t, MirroredMesh> mirrored_;  // by mesh: those that no placement shows unmirrored
   std::set<std::string> extensions_;
 };
 

@@ -19,7 +19,8 @@ GltfPrimitive add_primitive(GltfBuffer& buffer, const MeshView& mesh, const Gltf
     return use(std::span<const T>(moved));
   };
   // What is in the mesh's own order is the mesh's own, and needs no copy.
-  const auto lifetime = is_packed ? GltfBuffer::Lifetime::kShort : GltfBuffer::Lifetime::kLasting;
+  const auto lifetime =
+      is_packed || !vertices.lasts ? GltfBuffer::Lifetime::kShort : GltfBuffer::Lifetime::kLasting;
   const auto add = [&](auto items) { return buffer.add_vertices(items); };
   const auto add_own = [&](auto items) { return buffer.add_vertices(items, lifetime); };
 
@@ -54,6 +55,9 @@ GltfPrimitive add_primitive(GltfBuffer& buffer, const MeshView& mesh, const Gltf
   }
   if (!vertices.texcoords.empty()) {
     attributes["TEXCOORD_0"] = ordered(std::span<const glm::vec2>(vertices.texcoords), add);
+  }
+  if (!vertices.second_texcoords.empty()) {
+    attributes["TEXCOORD_1"] = ordered(std::span<const glm::vec2>(vertices.second_texcoords), add);
   }
   return primitive;
 }

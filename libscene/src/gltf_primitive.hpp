@@ -16,8 +16,10 @@ namespace sweepkit::scene {
 
 /// What the file has at a mesh's vertices beside positions and normals.
 struct GltfVertices {
-  std::vector<glm::vec2> texcoords;  ///< empty: none
-  std::vector<glm::vec4> tangents;   ///< empty: none
+  std::vector<glm::vec2> texcoords;         ///< empty: none
+  std::vector<glm::vec2> second_texcoords;  ///< those of a normal map; empty: none
+  std::vector<glm::vec4> tangents;          ///< empty: none
+  bool lasts = true;                        ///< the mesh lasts as long as the file is being made
 };
 
 struct GltfPrimitive {

@@ -10,6 +10,7 @@
 #include "json_text.hpp"
 #include "object_reader.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/scene/texel_density.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -28,6 +29,10 @@ void read_options(const Node& node, GltfOptions& options) {
   if (const auto object = reader.find("object")) options.object = object->text();
   if (const auto size = reader.find("bake_size"))
     options.bake_size = size->integer(1, kMostTexels, " texels");
+  if (const auto density = reader.find("texel_density")) {
+    options.texel_density =
+        density->number({.low = kLeastDensity, .high = kMostDensity, .unit = " texels a metre"});
+  }
   if (const auto has = reader.find("tangents")) options.has_tangents = has->boolean();
   if (const auto look = reader.find("look")) options.look = static_cast<GltfLook>(look->choice(kLooks));
   if (const auto in = reader.find("images")) options.images_in = static_cast<GltfImages>(in->choice(kPlaces));
@@ -52,6 +57,7 @@ std::string gltf_extras(const GltfOptions& options) {
   const auto add = [&](const char* key, JsonValue what) { members.push_back({key, {}, std::move(what)}); };
   if (options.object) add("object", value(*options.object));
   if (options.bake_size != usual.bake_size) add("bake_size", {static_cast<double>(options.bake_size), {}});
+  if (options.texel_density) add("texel_density", {*options.texel_density, {}});
   if (options.has_tangents) add("tangents", {true, {}});
   if (options.look != usual.look) add("look", value(kLooks[static_cast<std::size_t>(options.look)]));
   if (options.images_in != usual.images_in) {

@@ -12,6 +12,7 @@
 #include "make_mesh.hpp"
 #include "sweepkit/scene/image_store.hpp"
 #include "sweepkit/scene/turntable.hpp"
+#include "sweepkit/sweep/tangents.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
@@ -152,6 +153,17 @@ std::size_t count_objects(const Document& document) {
   return count;
 }
 
+// For the mesh that was made last.
+void add_tangents(Model& model, const Document& document, const ObjectEntry& entry) {
+  if (!entry.material || !document.materials[*entry.material].normal_map) return;
+  MeshView& mesh = model.scene.meshes.back();
+  model.tangents.push_back(
+      sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles));
+  mesh.tangents = model.tangents.back();  // where it stays when the list grows
+  model.ledger[Part::kNormalMaps].bytes += mesh.tangents.size_bytes();
+  model.ledger[Part::kNormalMaps].calls += 1;
+}
+
 }  // namespace
 
 std::optional<double> deviation_of(const Model& model, const Object& object) {
@@ -179,8 +191,15 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
     model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts]));
     const sweep::Mesh& mesh = *model.meshes.back();
     add_objects(scene, entry);
-    scene.meshes.push_back({mesh.positions(), mesh.normals(), mesh.texcoords(), mesh.triangles, mesh.patches,
-                            mesh.areas, mesh.origin});
+    scene.meshes.push_back({mesh.positions(),
+                            mesh.normals(),
+                            mesh.texcoords(),
+                            mesh.triangles,
+                            mesh.patches,
+                            mesh.areas,
+                            mesh.origin,
+                            {}});
+    if (plan.needs_part(Part::kNormalMaps)) add_tangents(model, document, entry);
     if (needs.half_edges) {
       model.ledger[Part::kHalfEdges].bytes += mesh.half_edge_bytes();
       model.ledger[Part::kHalfEdges].calls += 1;

@@ -23,6 +23,7 @@ TEST(GltfAgain, HasTheSameBytes) {
   const std::vector<std::vector<std::string>> variants = {
       {},
       {"--bake-size", "32"},
+      {"--texel-density", "8.5"},
       {"--bake-size", "32", "--object", "floor", "--tangents", "--unlit"},
       {"--bake-size", "64", "--max-texture", "16", "--compatible", "--image-format", "jpg", "--copyright",
        "© me"},

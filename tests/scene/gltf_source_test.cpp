@@ -50,6 +50,7 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
   const SceneFile scene(kScene, "s.json");
   GltfOptions options{.object = "vase",
                       .bake_size = 77,
+                      .texel_density = 12.5,
                       .has_tangents = true,
                       .look = GltfLook::kUnlit,
                       .images_in = GltfImages::kSeparate,
@@ -65,6 +66,7 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
     EXPECT_EQ(source.scene, options.scene);
     EXPECT_EQ(source.options.object, options.object);
     EXPECT_EQ(source.options.bake_size, options.bake_size);
+    EXPECT_EQ(source.options.texel_density, options.texel_density);
     EXPECT_EQ(source.options.has_tangents, options.has_tangents);
     EXPECT_EQ(source.options.look, options.look);
     EXPECT_EQ(source.options.images_in, options.images_in);

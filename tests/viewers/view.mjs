@@ -4,12 +4,11 @@
 // The pages of `sweepkit view`, opened in headless Chromium from file://, in a window and on a phone: no error on the
 // console, no request but for the page itself, the screenshots stored in expected/, and every control does what it says.
 // Where it fails, the screenshots are left in the folder given; run with SWEEPKIT_STORE_SCREENSHOTS=1 to store them anew.
-import {execFileSync} from 'node:child_process';
 import {copyFileSync, existsSync, readFileSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
-import {chromium} from 'playwright-core';
 import {fileURLToPath} from 'node:url';
 import pngjs from 'pngjs';
+import {launch, webgl} from './browser.mjs';
 import {freshFolder, sampleScenes, sweepkit} from './sweepkit.mjs';
 
 const {PNG} = pngjs;
@@ -22,15 +21,6 @@ const kMostDifference = 3;
 const faults = [];
 function expect(holds, what) {
   if (!holds) faults.push(what);
-}
-
-const glArguments = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-function launch(more) {
-  return chromium.launch({
-    executablePath: execFileSync('sh', ['-c', 'command -v chromium'], {encoding: 'utf8'}).trim(),
-    args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update', '--disable-default-apps',
-           '--disable-sync', '--no-first-run', '--no-pings', ...more],
-  });
 }
 
 async function open(browser, file, options) {
@@ -151,7 +141,7 @@ writeFileSync(join(out, 'names.json'), JSON.stringify({sweepkit: 1, objects: [{
 const namesPage = join(out, 'names.html');
 sweepkit(program, 'view', join(out, 'names.json'), '--object', name, '-o', namesPage, '--quiet');
 
-const browser = await launch(glArguments);
+const browser = await launch(webgl);
 try {
   const wide = await open(browser, scenePage, {viewport: {width: 800, height: 500}});
   expect(await state(wide) === 'ready', 'the page is not ready');

@@ -40,8 +40,8 @@ void check_model_name(const std::string& file);
 /// Is a scene to be kept in this file?
 bool keeps_scene(const Generate& command, const std::string& file);
 
-/// What the plan needs to know of a file that is to be made; an empty name is a .glb.
-scene::Request model_request(const std::string& file);
+/// What the plan needs to know of a file that is to be made with these options; an empty name is a .glb.
+scene::Request model_request(const std::string& file, const scene::GltfOptions& options);
 
 struct MadeFile {
   std::uint64_t objects = 0;

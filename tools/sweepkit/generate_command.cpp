@@ -20,6 +20,7 @@
 #include "sweepkit/scene/mesh_output.hpp"
 #include "sweepkit/scene/model.hpp"
 #include "sweepkit/scene/output_file.hpp"
+#include "texel_density_option.hpp"
 
 namespace sweepkit::tools {
 namespace {
@@ -68,7 +69,7 @@ void generate_one(const Generate& command) {
   const scene::SceneFile scene = open_scene(command.input);
   scene::Document document = scene.document();
   if (!command.object.empty()) keep_object(document, command.object);
-  const scene::Plan plan = scene::plan(document, model_request(output.file));
+  const scene::Plan plan = scene::plan(document, model_request(output.file, command.gltf));
   if (output.file.empty()) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
@@ -120,7 +121,8 @@ void take_options_of(const scene::GltfOptions& own, Generate& command) {
     if (std::none_of(options.begin(), options.end(), is_given)) mine = theirs;
   };
   take({"--object"}, command.object, own.object.value_or(""));
-  take({"--bake-size"}, gltf.bake_size, own.bake_size);
+  take({"--bake-size", "--texel-density"}, gltf.bake_size, own.bake_size);
+  take({"--bake-size", "--texel-density"}, gltf.texel_density, own.texel_density);
   take({"--tangents"}, gltf.has_tangents, own.has_tangents);
   take({"--unlit", "--compatible"}, gltf.look, own.look);
   take({"--images"}, gltf.images_in, own.images_in);
@@ -165,6 +167,10 @@ void check_gltf_options(const Generate& command) {
     }
     return;
   }
+  if (command.options->count("--texel-density") > 0 && !scene::holds_textures(command.output.file)) {
+    throw InputError({.file = "--texel-density"},
+                     "is for .glb, .gltf and .obj: other formats hold no textures");
+  }
   for (const auto& [option, lack] : kGltfOptions) {
     if (command.options->count(option) == 0) continue;
     throw InputError({.file = option}, std::string("is for .glb and .gltf: other formats hold no ") + lack);
@@ -201,12 +207,14 @@ bool keeps_scene(const Generate& command, const std::string& file) {
   return !command.forgets_scene && !scene::is_mesh_name(file);
 }
 
-scene::Request model_request(const std::string& file) {
+scene::Request model_request(const std::string& file, const scene::GltfOptions& options) {
   const bool is_mesh = scene::is_mesh_name(file);
   return {.product = scene::Request::Product::kMeshFile,
           .has_textures = !is_mesh || scene::holds_textures(file),
           .has_texcoords = !is_mesh || scene::holds_texcoords(file),
-          .has_thicknesses = !is_mesh};
+          .has_thicknesses = !is_mesh,
+          .has_normal_maps = is_mesh || options.look != scene::GltfLook::kUnlit,
+          .has_tangents = !is_mesh};
 }
 
 MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
@@ -220,8 +228,8 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
     for (const scene::NamedBytes& part : parts) made.bytes += part.bytes.size();
   };
   if (scene::is_mesh_name(file)) {
-    const scene::MeshOutput output =
-        scene::make_mesh_output(model.scene, plan, file, {options.bake_size, options.images});
+    const scene::MeshOutput output = scene::make_mesh_output(
+        model.scene, plan, file, {options.bake_size, options.images, options.texel_density});
     keep(output.files, output.ledger);
     made.triangles = output.triangles;
   } else {
@@ -262,13 +270,17 @@ void add_generate(CLI::App& app) {
       ->check(CLI::Range(1, kMostThreads))
       ->needs(each);
   sub.add_option("--object", command->object, "This object alone")->type_name("NAME");
-  sub.add_option("--bake-size", command->gltf.bake_size,
-                 "Texels on a side of the image that a procedural texture becomes")
+  sub.add_option(
+         "--bake-size", command->gltf.bake_size,
+         "Texels on the longer side of the image that a procedural texture becomes; the other follows "
+         "the object")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
-  sub.add_flag("--tangents", command->gltf.has_tangents,
-               "A tangent with handedness at every vertex too, for normal maps in engines that make none");
+  add_texel_density(sub, command->gltf.texel_density)->excludes("--bake-size");
+  sub.add_flag(
+      "--tangents", command->gltf.has_tangents,
+      "A tangent with handedness at every vertex of every mesh; without it of those with a normal map");
   sub.add_flag("--unlit", command->is_unlit,
                "Colours and textures as they are, whatever the light (KHR_materials_unlit)");
   sub.add_flag("--compatible", command->is_compatible,

@@ -32,9 +32,10 @@ enum class GltfImages {
 };
 
 struct GltfOptions {
-  std::optional<std::string> object;  ///< this object alone
-  int bake_size = 1024;               ///< texels on a side of a baked procedural texture
-  bool has_tangents = false;          ///< TANGENT for every vertex (sweepkit/sweep/tangents.hpp)
+  std::optional<std::string> object;    ///< this object alone
+  int bake_size = 1024;                 ///< texels on the longer side of a baked procedural texture
+  std::optional<double> texel_density;  ///< in place of it: texels a metre (texel_density.hpp)
+  bool has_tangents = false;            ///< TANGENT for every vertex (sweepkit/sweep/tangents.hpp)
   GltfLook look = GltfLook::kFull;
   GltfImages images_in = GltfImages::kByContainer;
   /// PNG or JPEG for every image. None: a PNG or JPEG file that fits is copied as it is, others become PNG.

@@ -29,6 +29,7 @@ struct MeshView {
   std::span<const sweep::GridPatch> patches;
   std::span<const sweep::Area> areas;
   glm::dvec3 origin{0.0};
+  std::span<const glm::vec4> tangents;  ///< as sweep::find_tangents() has them; empty without a normal map
 };
 
 /// One past the last triangle of each sheet of texture: areas that continue the one before belong to it.
