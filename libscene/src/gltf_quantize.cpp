@@ -51,13 +51,12 @@ PositionGrid position_grid(std::span<const glm::vec3> positions, int bits) {
 int bits_for_cells(std::span<const glm::vec3> positions, std::span<const sweep::Triangle> triangles) {
   double sum = 0;
   for (const sweep::Triangle& triangle : triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const glm::dvec3 edge =
-          glm::dvec3(positions[triangle[i]]) - glm::dvec3(positions[triangle[(i + 1) % 3]]);
-      sum += glm::dot(edge, edge);
-    }
+    const glm::dvec3 a(positions[triangle[0]]);
+    const glm::dvec3 b(positions[triangle[1]]);
+    const glm::dvec3 c(positions[triangle[2]]);
+    sum += std::min({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
   }
-  const double edge = std::sqrt(sum / (3.0 * static_cast<double>(triangles.size())));
+  const double edge = sum / static_cast<double>(triangles.size());
   int bits = 8;
   while (bits < 14 && position_grid(positions, bits).step > edge / 32) ++bits;
   return bits;

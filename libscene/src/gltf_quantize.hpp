@@ -29,8 +29,8 @@ struct PositionGrid {
 /// step 1. Precondition: not empty, finite, bits 1 to 16.
 PositionGrid position_grid(std::span<const glm::vec3> positions, int bits);
 
-/// The fewest bits, 8 to 14, whose step is at most 1/32 of the triangles' edges on average (the root of the
-/// mean square). Finer would keep digits of how the mesh stands in for its curves. Precondition: not empty.
+/// The fewest bits, 8 to 14, whose step is at most 1/32 of the triangles' shortest edges on average. Finer
+/// would keep digits of how the mesh stands in for its curves. Precondition: not empty.
 int bits_for_cells(std::span<const glm::vec3> positions, std::span<const sweep::Triangle> triangles);
 
 /// The nearest place of the grid: off by half a step an axis at most, positions of the same bits stay so.

@@ -46,8 +46,8 @@ struct GltfOptions {
   /// which viewers are then required to know. Positions are off by half of (longest side of the mesh's box) /
   /// (2^position_bits - 1) an axis at most, parts of normals by 1/254, (u,v) by 1/131070.
   bool is_quantized = false;
-  /// 8 to 16, where quantized. None: 16; where packed, 8 to 14, the fewest with steps of at most 1/32 of an
-  /// edge of the triangles on average.
+  /// 8 to 16, where quantized. None: 16; where packed, 8 to 14, the fewest with steps of at most 1/32 of the
+  /// triangles' shortest edges on average.
   std::optional<int> position_bits;
   /// EXT_meshopt_compression, required too: vertices and triangles in another order and packed, of
   /// unquantized ones the same bits.
