@@ -20,6 +20,7 @@
 #include "gltf_extras.hpp"
 #include "gltf_material_entry.hpp"
 #include "gltf_mirror.hpp"
+#include "gltf_primitive.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
 #include "json_text.hpp"
@@ -44,7 +45,7 @@ class Writer {
         options_(options),
         stem_(file == "-" ? "scene" : file.stem().string()),
         is_binary_(file.extension() != ".gltf"),
-        buffer_(model_),
+        buffer_(model_, {options.is_quantized, options.is_packed}),
         textures_(model_, buffer_, result_, scene, options, stem_,
                   options.images_in == GltfImages::kSeparate ||
                       (options.images_in == GltfImages::kByContainer && !is_binary_)) {
@@ -54,9 +55,9 @@ class Writer {
     model_.asset.copyright = options.copyright;
   }
 
-  GltfFile write() {
+  GltfPieces write() {
     tinygltf::Scene scene;
-    scene.name = "scene";
+    if (!options_.is_minimal) scene.name = "scene";
     const auto is_first = [](const Object& object) { return object.instance == 0; };
     for (auto first = scene_.objects.begin(); first != scene_.objects.end();) {
       const auto end = std::find_if(first + 1, scene_.objects.end(), is_first);
@@ -67,13 +68,22 @@ class Writer {
       first = end;
     }
     if (scene.nodes.empty()) refuse_selection();
-    scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
-    add_camera();
+    if (!options_.is_minimal) {
+      scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
+      add_camera();
+    }
     model_.scenes.push_back(std::move(scene));
     model_.defaultScene = 0;
+    if (options_.is_quantized) {
+      extensions_.insert("KHR_mesh_quantization");
+      model_.extensionsRequired.emplace_back("KHR_mesh_quantization");
+    }
+    if (buffer_.unpacked_bytes > 0) {
+      extensions_.insert("EXT_meshopt_compression");
+      model_.extensionsRequired.emplace_back("EXT_meshopt_compression");
+    }
     model_.extensionsUsed.assign(extensions_.begin(), extensions_.end());
-    add_files();
-    return std::move(result_);
+    return files();
   }
 
  private:
@@ -86,18 +96,33 @@ class Writer {
     throw InputError("there is no object " + in_quotes(*options_.object) + "; there is " + names);
   }
 
-  void add_files() {
-    GltfContainer container{
-        .buffer_bytes = buffer_.bytes.size(), .extras = gltf_extras(options_), .is_indented = !is_binary_};
+  GltfPieces files() {
+    GltfContainer container{.views = buffer_.views,
+                            .buffer_bytes = buffer_.size,
+                            .unpacked_bytes = buffer_.unpacked_bytes,
+                            .extras = options_.is_minimal ? "" : gltf_extras(options_),
+                            .is_indented = !is_binary_};
+    GltfPieces made{.kept = std::move(buffer_.kept),
+                    .ledger = result_.ledger,
+                    .triangles_without_area = result_.triangles_without_area};
+    const auto add = [&](const std::string& name, std::vector<std::byte> bytes) {
+      made.files.push_back({name, {made.kept.emplace_back(std::move(bytes))}});
+    };
+    for (NamedBytes& image : result_.files) add(image.name, std::move(image.bytes));
+    std::vector<std::span<const std::byte>>& pieces = buffer_.pieces;
     if (is_binary_) {
       const std::string json = gltf_json(model_, container);
-      result_.files.push_back({stem_ + ".glb", glb_bytes(json, std::move(buffer_.bytes))});
-      return;
+      add(stem_ + ".glb", glb_head(json, buffer_.size));
+      std::vector<std::span<const std::byte>>& whole = made.files.back().pieces;
+      whole.insert(whole.end(), pieces.begin(), pieces.end());
+      whole.push_back(made.kept.emplace_back((4 - buffer_.size % 4) % 4));
+      return made;
     }
     const std::string name = stem_ + ".bin";
     container.buffer_uri = percent_encoded(name);
-    result_.files.push_back({name, std::move(buffer_.bytes)});
-    result_.files.push_back({stem_ + ".gltf", to_bytes(gltf_json(model_, container))});
+    made.files.push_back({name, std::move(pieces)});
+    add(stem_ + ".gltf", to_bytes(gltf_json(model_, container)));
+    return made;
   }
 
   GltfBody body_of(const Object& object) {
@@ -109,7 +134,9 @@ class Writer {
       result_.ledger[Part::kThicknesses].calls += 1;
       result_.ledger[Part::kThicknesses].bytes += mean_chord_bytes(mesh);
     }
-    return {found->second, std::cbrt(std::abs(glm::determinant(glm::dmat3(object.world_from_object))))};
+    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(object.world_from_object))));
+    const double step = grid_of(object.mesh).step;  // a viewer scales the thickness as it does the mesh
+    return {found->second ? std::optional(*found->second / step) : std::nullopt, scale * step};
   }
 
   // One for each set of terms and texture in use.
@@ -138,9 +165,17 @@ class Writer {
     });
     if (same != materials_.end()) return static_cast<int>(same - materials_.begin());
     materials_.push_back({terms, maps});
-    model_.materials.push_back(
-        material_entry(object.material ? material.name : "default", terms, maps, extensions_));
+    model_.materials.push_back(material_entry(options_.is_minimal ? ""
+                                              : object.material   ? material.name
+                                                                  : "default",
+                                              terms, maps, extensions_));
     return static_cast<int>(materials_.size()) - 1;
+  }
+
+  std::string name_of(const Object& object) const { return options_.is_minimal ? "" : object.name; }
+
+  bool needs_texcoords(int material) const {
+    return !options_.is_minimal || materials_[static_cast<std::size_t>(material)].maps != GltfMaps();
   }
 
   // Its instances. One is a node with the mesh; several are such nodes without names under the object's.
@@ -150,22 +185,44 @@ class Writer {
     const int mesh = add_mesh(instances.front());
     if (instances.size() == 1) {
       add_node(instances.front(), mesh);
-      model_.nodes.back().name = instances.front().name;
+      model_.nodes.back().name = name_of(instances.front());
       return;
     }
     const std::size_t group = model_.nodes.size();
     model_.nodes.emplace_back();
-    model_.nodes.back().name = instances.front().name;
+    model_.nodes.back().name = name_of(instances.front());
     for (const Object& instance : instances) {
       model_.nodes[group].children.push_back(static_cast<int>(model_.nodes.size()));
       add_node(instance, mesh);
     }
   }
 
+  // As it stands in the file.
+  MeshView view_of(std::size_t mesh) const {
+    const auto mirrored = mirrored_.find(mesh);
+    const MeshView& own = scene_.meshes[mesh];
+    return mirrored != mirrored_.end() ? mirrored->second.view(own) : own;
+  }
+
+  // Of a mesh in floats the identity.
+  const PositionGrid& grid_of(std::size_t mesh) {
+    const auto [found, is_new] = grids_.try_emplace(mesh);
+    if (is_new && options_.is_quantized) {
+      const MeshView view = view_of(mesh);
+      const int usual = options_.is_packed ? bits_for_cells(view.positions, view.triangles) : 16;
+      found->second = position_grid(view.positions, options_.position_bits.value_or(usual));
+    }
+    return found->second;
+  }
+
   void add_node(const Object& object, int mesh) {
+    const PositionGrid& grid = grid_of(object.mesh);
     glm::dmat4 node_from_mesh(1.0);
     node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
     if (mirrored_.contains(object.mesh)) node_from_mesh[0] = -node_from_mesh[0];
+    glm::dmat4 mesh_from_grid = glm::dmat4(glm::dmat3(grid.step));
+    mesh_from_grid[3] = glm::dvec4(grid.offset, 1);
+    node_from_mesh = node_from_mesh * mesh_from_grid;
     tinygltf::Node node;
     node.mesh = mesh;
     place(node, object.world_from_object * node_from_mesh, object.name);
@@ -173,29 +230,32 @@ class Writer {
   }
 
   int add_mesh(const Object& object) {
-    const auto mirrored = mirrored_.find(object.mesh);
-    const MeshView& own = scene_.meshes[object.mesh];
-    const MeshView mesh = mirrored != mirrored_.end() ? mirrored->second.view(own) : own;
+    const MeshView mesh = view_of(object.mesh);
     if (mesh.triangles.empty())
       throw InputError("the object " + in_quotes(object.name) + " has no triangles");
     std::vector<texmap::UvTransform> transforms;
-    tinygltf::Primitive primitive;
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.material = add_material(object, transforms);
-    primitive.indices = buffer_.add_indices(mesh.triangles, mesh.positions.size());
-    primitive.attributes["POSITION"] = buffer_.add_positions(mesh.positions);
-    primitive.attributes["NORMAL"] = buffer_.add_vertices(mesh.normals);
-    if (!mesh.tangents.empty()) {
-      primitive.attributes["TANGENT"] = buffer_.add_vertices(mesh.tangents);
-    } else if (options_.has_tangents) {
-      primitive.attributes["TANGENT"] = buffer_.add_vertices(
-          sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles));
+    const int material = add_material(object, transforms);
+    GltfVertices vertices{.lasts = !mirrored_.contains(object.mesh)};
+    vertices.tangents.assign(mesh.tangents.begin(), mesh.tangents.end());
+    if (needs_texcoords(material)) {
+      vertices.texcoords = gltf_texcoords(mesh, transforms);
+      if (!mesh.tangents.empty() && !transforms.empty()) vertices.second_texcoords = gltf_texcoords(mesh, {});
+      if (mesh.tangents.empty() && options_.has_tangents) {
+        vertices.tangents =
+            sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles);
+      }
     }
-    primitive.attributes["TEXCOORD_0"] = buffer_.add_vertices(gltf_texcoords(mesh, transforms));
-    if (!mesh.tangents.empty() && !transforms.empty())
-      primitive.attributes["TEXCOORD_1"] = buffer_.add_vertices(gltf_texcoords(mesh, {}));
+    const std::optional<PositionGrid> grid =
+        options_.is_quantized ? std::optional(grid_of(object.mesh)) : std::nullopt;
+    auto [primitive, without_area] = add_primitive(buffer_, mesh, vertices, grid, options_.is_packed);
+    if (primitive.indices < 0) {
+      throw InputError("the object " + in_quotes(object.name) +
+                       " is too thin to be quantized: no triangle keeps its area");
+    }
+    primitive.material = material;
+    result_.triangles_without_area += without_area;
     tinygltf::Mesh entry;
-    entry.name = object.name;
+    entry.name = name_of(object);
     entry.primitives.push_back(std::move(primitive));
     model_.meshes.push_back(std::move(entry));
     return static_cast<int>(model_.meshes.size()) - 1;
@@ -251,15 +311,31 @@ class Writer {
   GltfTextures textures_;
   std::vector<MaterialInUse> materials_;                      // as model_.materials
   std::map<std::size_t, std::optional<double>> thicknesses_;  // by mesh
+  std::map<std::size_t, PositionGrid> grids_;                 // by mesh
   std::map<std::size_t, MirroredMesh> mirrored_;  // by mesh: those that no placement shows unmirrored
   std::set<std::string> extensions_;
 };
 
 }  // namespace
 
+GltfPieces make_gltf_pieces(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
+                            const GltfOptions& options) {
+  return Writer(scene, plan, file, options).write();
+}
+
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options) {
-  return Writer(scene, plan, file, options).write();
+  GltfPieces made = make_gltf_pieces(scene, plan, file, options);
+  GltfFile whole{.ledger = std::move(made.ledger), .triangles_without_area = made.triangles_without_area};
+  for (const GltfPieces::File& part : made.files) {
+    std::size_t size = 0;
+    for (const auto& piece : part.pieces) size += piece.size();
+    NamedBytes bytes{.name = part.name};
+    bytes.bytes.reserve(size);
+    for (const auto& piece : part.pieces) bytes.bytes.insert(bytes.bytes.end(), piece.begin(), piece.end());
+    whole.files.push_back(std::move(bytes));
+  }
+  return whole;
 }
 
 }  // namespace sweepkit::scene

@@ -42,6 +42,9 @@ void read_options(const Node& node, GltfOptions& options) {
   if (const auto size = reader.find("max_texture"))
     options.max_texture = size->integer(0, kMostTexels, " texels");
   if (const auto text = reader.find("copyright")) options.copyright = text->text();
+  if (const auto is = reader.find("quantize")) options.is_quantized = is->boolean();
+  if (const auto bits = reader.find("position_bits")) options.position_bits = bits->integer(8, 16, " bits");
+  if (const auto is = reader.find("meshopt")) options.is_packed = is->boolean();
   reader.finish();
 }
 
@@ -67,6 +70,9 @@ std::string gltf_extras(const GltfOptions& options) {
     add("max_texture", {static_cast<double>(options.max_texture), {}});
   }
   if (!options.copyright.empty()) add("copyright", value(options.copyright));
+  if (options.is_quantized) add("quantize", {true, {}});
+  if (options.position_bits) add("position_bits", {static_cast<double>(*options.position_bits), {}});
+  if (options.is_packed) add("meshopt", {true, {}});
   std::string extras = R"({"sweepkit":{"scene":)" + options.scene;
   if (!members.empty()) extras += R"(,"options":)" + json_text({std::move(members), {}});
   return extras + "}}";

@@ -34,7 +34,7 @@ int GltfTextures::add_image(const Bytes& file, bool is_jpeg, const std::string& 
   const int index = static_cast<int>(model_.images.size());
   written_.emplace(hash, std::pair(file, index));
   tinygltf::Image entry;
-  entry.name = name;
+  if (!options_.is_minimal) entry.name = name;
   if (are_separate_) {
     const std::string beside = stem_ + "_" + std::to_string(index) + (is_jpeg ? ".jpg" : ".png");
     entry.uri = percent_encoded(beside);

@@ -57,6 +57,9 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
                       .image_format = texmap::ImageFormat::kJpeg,
                       .max_texture = 99,
                       .copyright = "© \"me\"",
+                      .is_quantized = true,
+                      .position_bits = 12,
+                      .is_packed = true,
                       .scene = scene.text()};
   for (const char* name : {"a.glb", "a.gltf"}) {
     const GltfSource source = read_gltf_source(write(make(kScene, name, options)));
@@ -70,6 +73,9 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
     EXPECT_EQ(source.options.image_format, options.image_format);
     EXPECT_EQ(source.options.max_texture, options.max_texture);
     EXPECT_EQ(source.options.copyright, options.copyright);
+    EXPECT_EQ(source.options.is_quantized, options.is_quantized);
+    EXPECT_EQ(source.options.position_bits, options.position_bits);
+    EXPECT_EQ(source.options.is_packed, options.is_packed);
   }
   options.image_format = texmap::ImageFormat::kPng;
   options.images_in = GltfImages::kEmbedded;

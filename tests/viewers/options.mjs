@@ -19,6 +19,9 @@ export const variants = [
   {name: 'baked', options: ['--bake-size', '33']},
   {name: 'dense', options: ['--texel-density', '20']},
   {name: 'bare', options: ['--no-extras', '--copyright', '2026 Käthe "K" Töpfer']},
+  {name: 'quantized', options: ['--quantize', '--position-bits', '14']},
+  {name: 'packed', options: ['--meshopt']},
+  {name: 'smallest', options: ['--quantize', '--meshopt', '--minimal']},
   {name: 'together', options: ['--unlit', '--tangents', '--images', 'separate', '--image-format', 'jpg', '--max-texture', '64']},
 ];
 

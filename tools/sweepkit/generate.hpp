@@ -45,10 +45,11 @@ scene::Request model_request(const std::string& file, const scene::GltfOptions& 
 
 struct MadeFile {
   std::uint64_t objects = 0;
-  std::uint64_t instances = 0;      ///< at least as many
-  std::uint64_t triangles = 0;      ///< of a glTF's meshes, of a mesh file's instances
-  std::optional<double> deviation;  ///< the largest that is known of an object in the world, metres
-  std::uint64_t bytes = 0;          ///< with what stands beside it
+  std::uint64_t instances = 0;               ///< at least as many
+  std::uint64_t triangles = 0;               ///< of a glTF's meshes, of a mesh file's instances
+  std::uint64_t triangles_without_area = 0;  ///< left out of a quantized glTF
+  std::optional<double> deviation;           ///< the largest that is known of an object in the world, metres
+  std::uint64_t bytes = 0;                   ///< with what stands beside it
   scene::Ledger ledger;
   std::vector<scene::SceneFinding> findings;
 };

@@ -36,6 +36,15 @@ void write(const std::vector<scene::NamedBytes>& parts, const std::filesystem::p
   scene::write_files(files);
 }
 
+void write(const scene::GltfPieces& gltf, const std::filesystem::path& file) {
+  std::vector<scene::OutputFile> files;
+  for (const scene::GltfPieces::File& part : gltf.files) {
+    const bool is_whole = &part == &gltf.files.back();
+    files.push_back({is_whole ? file : file.parent_path() / part.name, {}, part.pieces});
+  }
+  scene::write_files(files);
+}
+
 // What the meshes and the file take together, of what the meshes take: the bytes of a triangle with its half
 // a vertex are 30 in memory, about as many in glTF and PLY, 50 in STL, and up to 80 and 120 as text.
 std::uint64_t memory_factor(const std::string& file) {
@@ -80,13 +89,16 @@ void generate_one(const Generate& command) {
           (made.objects == 1 ? " object, " : " objects, ") +
           (made.instances > made.objects ? std::to_string(made.instances) + " instances, " : "") +
           std::to_string(made.triangles) + " triangles" +
+          (made.triangles_without_area > 0 ? " (" + std::to_string(made.triangles_without_area) +
+                                                 " without area when quantized are left out)"
+                                           : "") +
           (made.deviation ? " (by tolerance: within " + length_text(*made.deviation) + ")" : "") + ", " +
           std::to_string(made.bytes) + " bytes in " + duration_text(seconds),
       output);
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 12> kGltfOptions = {{
     {"--no-extras", ""},
     {"--copyright", "copyright"},
     {"--tangents", "tangents"},
@@ -95,6 +107,10 @@ constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
     {"--images", ""},
     {"--image-format", ""},
     {"--max-texture", ""},
+    {"--quantize", "quantized vertices"},
+    {"--position-bits", "quantized vertices"},
+    {"--meshopt", "packed vertices"},
+    {"--minimal", "names, cameras and extras"},
 }};
 
 // A glTF made again from itself has its own options where no others are given.
@@ -113,6 +129,9 @@ void take_options_of(const scene::GltfOptions& own, Generate& command) {
   take({"--image-format"}, gltf.image_format, own.image_format);
   take({"--max-texture"}, gltf.max_texture, own.max_texture);
   take({"--copyright"}, gltf.copyright, own.copyright);
+  take({"--quantize"}, gltf.is_quantized, own.is_quantized);
+  take({"--position-bits"}, gltf.position_bits, own.position_bits);
+  take({"--meshopt"}, gltf.is_packed, own.is_packed);
 }
 
 void settle_gltf_options(Generate& command) {
@@ -134,10 +153,20 @@ void check_gltf_options(const Generate& command) {
     throw InputError({.file = "--unlit"},
                      "is an extension, and --compatible is for viewers that know none; leave one out");
   }
+  if (command.gltf.look == scene::GltfLook::kCompatible &&
+      (command.gltf.is_quantized || command.gltf.is_packed)) {
+    throw InputError({.file = command.gltf.is_quantized ? "--quantize" : "--meshopt"},
+                     "is an extension, and --compatible is for viewers that know none; leave one out");
+  }
   if (command.output.is_standard() && command.gltf.images_in == scene::GltfImages::kSeparate) {
     throw InputError({.file = "--images"}, "separate needs a folder, and -o - is standard output alone");
   }
-  if (!scene::is_mesh_name(command.output.file)) return;
+  if (!scene::is_mesh_name(command.output.file)) {
+    if (command.options->count("--position-bits") > 0 && !command.gltf.is_quantized) {
+      throw InputError({.file = "--position-bits"}, "is for quantized positions; add --quantize");
+    }
+    return;
+  }
   if (command.options->count("--texel-density") > 0 && !scene::holds_textures(command.output.file)) {
     throw InputError({.file = "--texel-density"},
                      "is for .glb, .gltf and .obj: other formats hold no textures");
@@ -204,9 +233,15 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
     keep(output.files, output.ledger);
     made.triangles = output.triangles;
   } else {
-    const scene::GltfFile gltf = scene::make_gltf(model.scene, plan, file, options);
-    keep(gltf.files, gltf.ledger);
+    const scene::GltfPieces gltf = scene::make_gltf_pieces(model.scene, plan, file, options);
+    write(gltf, file);
+    made.ledger.add(gltf.ledger);
+    for (const scene::GltfPieces::File& part : gltf.files) {
+      for (const std::span<const std::byte> piece : part.pieces) made.bytes += piece.size();
+    }
     for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
+    made.triangles -= gltf.triangles_without_area;
+    made.triangles_without_area = gltf.triangles_without_area;
   }
   if (looks_for_findings) made.findings = scene::check(document, model, scene::Thoroughness::kQuick);
   for (const scene::Object& object : model.scene.objects) {
@@ -268,6 +303,22 @@ void add_generate(CLI::App& app) {
                  "Most texels on a side of an image; larger ones are made smaller")
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
+  sub.add_flag("--quantize", command->gltf.is_quantized,
+               "Vertices in less than half the bytes (KHR_mesh_quantization, which the viewer must know): "
+               "positions in 16 bits, normals and tangents in 8, (u,v) in 16");
+  sub.add_option(
+         "--position-bits", command->gltf.position_bits,
+         "Of --quantize: the longest side of an object's box in 2^N - 1 steps; without it 16, and with "
+         "--meshopt as many as its cells need, 8 to 14")
+      ->type_name("N")
+      ->check(CLI::Range(8, 16));
+  sub.add_flag("--meshopt", command->gltf.is_packed,
+               "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know); with "
+               "--quantize smallest");
+  sub.add_flag(
+      "--minimal", command->gltf.is_minimal,
+      "Only what shows the objects: no names, no camera, no extras (the file cannot be made again from "
+      "itself), and (u,v) only where there is a texture");
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 import {Box3, Sphere} from 'three';
 import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
+import {MeshoptDecoder} from 'three/addons/libs/meshopt_decoder.module.js';
 import {kCurves, makeCurves} from './curves.js';
 import {kLooks, Looks} from './looks.js';
 import {Panel} from './panel.js';
@@ -44,7 +45,7 @@ async function start() {
     throw new Error('This browser draws no WebGL here: it is switched off, or the graphics driver is missing.');
   }
   const facts = JSON.parse(text('facts'));
-  const gltf = await new GLTFLoader().parseAsync(bytesOf(text('model')), '');
+  const gltf = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).parseAsync(bytesOf(text('model')), '');
   const model = gltf.scene;
   const stage = new Stage(document.getElementById('stage'), model, gltf.cameras);
   const looks = new Looks(model, stage.renderer.capabilities.getMaxAnisotropy());
