@@ -18,6 +18,7 @@
 #include "gltf_buffer.hpp"
 #include "gltf_container.hpp"
 #include "gltf_extras.hpp"
+#include "gltf_lights.hpp"
 #include "gltf_material_entry.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
@@ -42,6 +43,7 @@ class Writer {
         plan_(plan),
         options_(options),
         stem_(file == "-" ? "scene" : file.stem().string()),
+        bounds_(bounds_of(scene)),
         is_binary_(file.extension() != ".gltf"),
         buffer_(model_),
         textures_(model_, buffer_, result_, scene, options, stem_,
@@ -68,6 +70,10 @@ class Writer {
     if (scene.nodes.empty()) refuse_selection();
     scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
     add_camera();
+    if (options_.look == GltfLook::kFull && !scene_.has_default_light) {
+      const std::vector<int> lights = add_lights(model_, scene_.lights, bounds_);
+      scene.nodes.insert(scene.nodes.end(), lights.begin(), lights.end());
+    }
     model_.scenes.push_back(std::move(scene));
     model_.defaultScene = 0;
     model_.extensionsUsed.assign(extensions_.begin(), extensions_.end());
@@ -206,9 +212,12 @@ class Writer {
     camera.name = "camera";
     camera.perspective.yfov = from.fov_deg * (std::numbers::pi / 180);
     camera.perspective.aspectRatio = static_cast<double>(scene_.width) / scene_.height;
-    const double distance = glm::distance(from.target, from.eye);
-    camera.perspective.znear = 1e-3 * distance;
-    camera.perspective.zfar = 1e3 * distance;
+    // Everything is in the sphere about the bounds, however it is turned; twice that on either side leaves
+    // room. Where the eye is within, a thousandth of the way to its target is near enough.
+    const double distance = glm::distance(bounds_.center(), from.eye);
+    const double far = 2 * (distance + bounds_.radius());
+    camera.perspective.znear = std::max(0.5 * (distance - bounds_.radius()), 1e-3 * glm::distance(from.target, from.eye));
+    camera.perspective.zfar = far;
     model_.cameras.push_back(camera);
     tinygltf::Node node;
     node.name = "camera";
@@ -229,6 +238,7 @@ class Writer {
   const Plan& plan_;
   const GltfOptions& options_;
   std::string stem_;
+  Bounds bounds_;
   bool is_binary_;
   tinygltf::Model model_;
   GltfFile result_;

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
 #include "make_mesh.hpp"
+#include "scene_bounds.hpp"
 #include "sweepkit/scene/image_store.hpp"
 #include "sweepkit/scene/turntable.hpp"
 #include "sweepkit/texmap/image_file.hpp"
@@ -84,48 +84,12 @@ texmap::Texture load_texture(const TextureEntry& entry, const Plan& plan, bool i
   }
 }
 
-struct Bounds {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-};
-
-void add(Bounds& bounds, const glm::dvec3& point) {
-  bounds.low = glm::min(bounds.low, point);
-  bounds.high = glm::max(bounds.high, point);
-}
-
-Bounds bounds_of(const Scene& scene) {
-  Bounds bounds;
-  Bounds local;  // of the mesh whose further instances follow
-  for (const Object& object : scene.objects) {
-    const MeshView& mesh = scene.meshes[object.mesh];
-    if (object.instance == 0) {
-      local = Bounds();
-      for (const glm::vec3& position : mesh.positions) {
-        const glm::dvec3 at = glm::dvec3(position) + mesh.origin;
-        add(local, at);
-        add(bounds, glm::dvec3(object.world_from_object * glm::dvec4(at, 1)));
-      }
-    } else {
-      // Every vertex of a million instances would take minutes; the corners of their boxes are a little
-      // farther out.
-      for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 at((corner & 1) != 0 ? local.high.x : local.low.x,
-                            (corner & 2) != 0 ? local.high.y : local.low.y,
-                            (corner & 4) != 0 ? local.high.z : local.low.z);
-        add(bounds, glm::dvec3(object.world_from_object * glm::dvec4(at, 1)));
-      }
-    }
-  }
-  return bounds;
-}
-
 // A three-quarter view from above that holds the sphere about everything.
 void frame(Scene& scene) {
   const Bounds bounds = bounds_of(scene);
-  const double radius = 0.5 * glm::length(bounds.high - bounds.low);
+  const double radius = bounds.radius();
   Camera& camera = scene.camera;
-  camera.target = 0.5 * (bounds.low + bounds.high);
+  camera.target = bounds.center();
   const double half_height = std::tan(0.5 * camera.fov_deg * std::numbers::pi / 180);
   const double half_width = half_height * scene.width / scene.height;
   const double distance = radius / std::sin(std::atan(std::min(half_height, half_width)));

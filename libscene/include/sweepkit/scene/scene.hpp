@@ -59,6 +59,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Object> objects;  ///< each instance is one
   std::vector<Light> lights;
+  bool has_default_light = false;  ///< `lights` are not the scene's own but what look_from() gives it
   Camera camera;
   int width = 512;
   int height = 512;
