@@ -20,6 +20,7 @@
 #include "gltf_extras.hpp"
 #include "gltf_lights.hpp"
 #include "gltf_material_entry.hpp"
+#include "gltf_motion.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
 #include "json_text.hpp"
@@ -44,6 +45,7 @@ class Writer {
         options_(options),
         stem_(file == "-" ? "scene" : file.stem().string()),
         bounds_(bounds_of(scene)),
+        pivot_(options.turntable_seconds > 0 ? bounds_.center() : glm::dvec3(0.0)),
         is_binary_(file.extension() != ".gltf"),
         buffer_(model_),
         textures_(model_, buffer_, result_, scene, options, stem_,
@@ -68,6 +70,11 @@ class Writer {
       first = end;
     }
     if (scene.nodes.empty()) refuse_selection();
+    if (options_.turntable_seconds > 0) add_turntable_over(scene.nodes);
+    if (options_.grow_seconds > 0) {
+      if (growing_.empty()) throw InputError("nothing here is swept or revolved, so that nothing can grow");
+      add_growing(model_, buffer_, growing_, options_.grow_seconds);
+    }
     scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
     add_camera();
     if (options_.look == GltfLook::kFull && !scene_.has_default_light) {
@@ -89,6 +96,32 @@ class Writer {
       if (object.instance == 0) names += (names.empty() ? "" : ", ") + in_quotes(object.name);
     }
     throw InputError("there is no object " + in_quotes(*options_.object) + "; there is " + names);
+  }
+
+  // The objects' nodes are placed about the middle of all (add_node), which the turntable's node is at.
+  void add_turntable_over(std::vector<int>& nodes) {
+    const int turntable = static_cast<int>(model_.nodes.size());
+    tinygltf::Node node;
+    node.name = "turntable";
+    node.translation = {pivot_.x, pivot_.y, pivot_.z};
+    node.children = std::move(nodes);
+    model_.nodes.push_back(std::move(node));
+    nodes = {turntable};
+    add_turntable(model_, buffer_, turntable, options_.turntable_seconds);
+  }
+
+  // Of a mesh that is to be written; none where it does not grow.
+  const Growth* growth_of(std::size_t mesh) {
+    if (!(options_.grow_seconds > 0)) return nullptr;
+    const auto [found, is_new] = growths_.try_emplace(mesh);
+    if (is_new) {
+      found->second = grow(scene_.meshes[mesh]);
+      if (found->second) {
+        result_.targets = std::max(result_.targets, found->second->states.size());
+        result_.grow_error = std::max(result_.grow_error, found->second->error);
+      }
+    }
+    return found->second ? &*found->second : nullptr;
   }
 
   void add_files() {
@@ -161,11 +194,15 @@ class Writer {
   }
 
   void add_node(const Object& object, int mesh) {
-    glm::dmat4 node_from_mesh(1.0);
-    node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
+    glm::dmat4 placement(1.0);
+    placement[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
+    placement = object.world_from_object * placement;
+    placement[3] -= glm::dvec4(pivot_, 0);
     tinygltf::Node node;
     node.mesh = mesh;
-    place(node, object.world_from_object * node_from_mesh, object.name);
+    if (const Growth* growth = growth_of(object.mesh))
+      growing_.push_back({static_cast<int>(model_.nodes.size()), growth});
+    place(node, placement, object.name);
     model_.nodes.push_back(std::move(node));
   }
 
@@ -185,6 +222,7 @@ class Writer {
           sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles));
     }
     primitive.attributes["TEXCOORD_0"] = buffer_.add_vertices(gltf_texcoords(mesh, transforms));
+    if (const Growth* growth = growth_of(object.mesh)) add_targets(primitive, buffer_, *growth);
     tinygltf::Mesh entry;
     entry.name = object.name;
     entry.primitives.push_back(std::move(primitive));
@@ -216,7 +254,8 @@ class Writer {
     // room. Where the eye is within, a thousandth of the way to its target is near enough.
     const double distance = glm::distance(bounds_.center(), from.eye);
     const double far = 2 * (distance + bounds_.radius());
-    camera.perspective.znear = std::max(0.5 * (distance - bounds_.radius()), 1e-3 * glm::distance(from.target, from.eye));
+    camera.perspective.znear =
+        std::max(0.5 * (distance - bounds_.radius()), 1e-3 * glm::distance(from.target, from.eye));
     camera.perspective.zfar = far;
     model_.cameras.push_back(camera);
     tinygltf::Node node;
@@ -239,6 +278,7 @@ class Writer {
   const GltfOptions& options_;
   std::string stem_;
   Bounds bounds_;
+  glm::dvec3 pivot_;
   bool is_binary_;
   tinygltf::Model model_;
   GltfFile result_;
@@ -246,6 +286,8 @@ class Writer {
   GltfTextures textures_;
   std::vector<MaterialInUse> materials_;                      // as model_.materials
   std::map<std::size_t, std::optional<double>> thicknesses_;  // by mesh
+  std::map<std::size_t, std::optional<Growth>> growths_;      // by mesh
+  std::vector<GrowingNode> growing_;
   std::set<std::string> extensions_;
 };
 

@@ -108,6 +108,11 @@ int GltfBuffer::add_key_times(std::span<const float> seconds) {
   return index;
 }
 
+int GltfBuffer::add_weights(std::span<const float> weights) {
+  return add_accessor(std::as_bytes(weights), 0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR,
+                      weights.size());
+}
+
 int GltfBuffer::add_rotations(std::span<const glm::vec4> quaternions) {
   return add_accessor(std::as_bytes(quaternions), 0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4,
                       quaternions.size());

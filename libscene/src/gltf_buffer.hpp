@@ -30,6 +30,7 @@ class GltfBuffer {
   int add_positions(std::span<const glm::vec3> positions);  ///< with their bounds
   int add_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count);
   int add_key_times(std::span<const float> seconds);  ///< rising; with their bounds
+  int add_weights(std::span<const float> weights);
   int add_rotations(std::span<const glm::vec4> quaternions);
 
   std::vector<std::byte> bytes;

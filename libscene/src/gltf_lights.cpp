@@ -27,8 +27,7 @@ double brightness_factor(const DirectionalLight&, const Bounds&) {
 }
 
 double brightness_factor(const PointLight& light, const Bounds& bounds) {
-  const double distance =
-      std::max(glm::distance(light.position, bounds.center()), 0.5 * bounds.radius());
+  const double distance = std::max(glm::distance(light.position, bounds.center()), 0.5 * bounds.radius());
   return std::numbers::pi * distance * distance;
 }
 

@@ -36,17 +36,27 @@ auto at_place(const Place& place, Make&& make) {
 
 // Made where it will stay: OpenMesh has no move, so every other way would copy it.
 std::unique_ptr<const sweep::Mesh> make_object(const ObjectEntry& object, const MeshNeeds& needs,
-                                               Cost& layout_cost) {
+                                               Cost& layout_cost, std::vector<SweptPart>& swept) {
+  const auto note = [&](const Piece& piece, std::size_t first, std::size_t end) {
+    const bool is_revolve = std::holds_alternative<RevolveShape>(piece.shape);
+    if (!is_revolve && !std::holds_alternative<SweepShape>(piece.shape)) return;
+    swept.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first),
+                     is_revolve ? SweptPart::Along::kU : SweptPart::Along::kV});
+  };
   const Piece& first = object.pieces.front();
   if (object.pieces.size() == 1 && to_matrix(first.placement) == glm::dmat4(1.0)) {
     return at_place(first.place, [&] {
-      return std::unique_ptr<const sweep::Mesh>(new sweep::Mesh(make_mesh(first, needs, layout_cost)));
+      auto mesh = std::unique_ptr<const sweep::Mesh>(new sweep::Mesh(make_mesh(first, needs, layout_cost)));
+      note(first, 0, mesh->areas.size());
+      return mesh;
     });
   }
   auto whole = std::make_unique<sweep::Mesh>();
   for (const Piece& piece : object.pieces) {
     at_place(piece.place, [&] {
+      const std::size_t areas = whole->areas.size();
       sweep::append(*whole, make_mesh(piece, needs, layout_cost), to_matrix(piece.placement));
+      note(piece, areas, whole->areas.size());
       return true;
     });
   }
@@ -140,11 +150,12 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
   scene.objects.reserve(count_objects(document));
   Clock::time_point start = Clock::now();
   for (const ObjectEntry& entry : document.objects) {
-    model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts]));
+    std::vector<SweptPart> swept;
+    model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts], swept));
     const sweep::Mesh& mesh = *model.meshes.back();
     add_objects(scene, entry);
     scene.meshes.push_back({mesh.positions(), mesh.normals(), mesh.texcoords(), mesh.triangles, mesh.patches,
-                            mesh.areas, mesh.origin});
+                            mesh.areas, mesh.origin, std::move(swept)});
     if (needs.half_edges) {
       model.ledger[Part::kHalfEdges].bytes += mesh.half_edge_bytes();
       model.ledger[Part::kHalfEdges].calls += 1;

@@ -18,7 +18,9 @@ TEST(GltfOptions, AreRefusedForFormatsThatHaveNothingOfTheKind) {
                                              {"--tangents"},
                                              {"--images", "separate"},
                                              {"--image-format", "jpg"},
-                                             {"--max-texture", "64"}}) {
+                                             {"--max-texture", "64"},
+                                             {"--turntable", "8"},
+                                             {"--grow", "8"}}) {
     std::vector<std::string> arguments = {"generate", "s.json", "-o", "b.stl"};
     arguments.insert(arguments.end(), option.begin(), option.end());
     const Outcome run = workshop.sweepkit(arguments);

@@ -55,6 +55,8 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
                       .images_in = GltfImages::kSeparate,
                       .image_format = texmap::ImageFormat::kJpeg,
                       .max_texture = 99,
+                      .turntable_seconds = 2.5,
+                      .grow_seconds = 7,
                       .copyright = "© \"me\"",
                       .scene = scene.text()};
   for (const char* name : {"a.glb", "a.gltf"}) {
@@ -67,6 +69,8 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
     EXPECT_EQ(source.options.images_in, options.images_in);
     EXPECT_EQ(source.options.image_format, options.image_format);
     EXPECT_EQ(source.options.max_texture, options.max_texture);
+    EXPECT_EQ(source.options.turntable_seconds, options.turntable_seconds);
+    EXPECT_EQ(source.options.grow_seconds, options.grow_seconds);
     EXPECT_EQ(source.options.copyright, options.copyright);
   }
   options.image_format = texmap::ImageFormat::kPng;

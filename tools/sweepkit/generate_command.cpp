@@ -24,6 +24,8 @@
 namespace sweepkit::tools {
 namespace {
 
+constexpr double kLeastSeconds = 0.01;
+constexpr double kMostSeconds = 86400;
 constexpr int kMostTexels = 16384;  // a side: kMostPixels in all
 
 void write(const std::vector<scene::NamedBytes>& parts, const std::filesystem::path& file) {
@@ -79,13 +81,17 @@ void generate_one(const Generate& command) {
           (made.objects == 1 ? " object, " : " objects, ") +
           (made.instances > made.objects ? std::to_string(made.instances) + " instances, " : "") +
           std::to_string(made.triangles) + " triangles" +
+          (made.targets > 0
+               ? " (growing: within " + length_text(made.grow_error) + " by " + std::to_string(made.targets) +
+                     (made.targets == 1 ? " morph target)" : " morph targets)")
+               : "") +
           (made.deviation ? " (by tolerance: within " + length_text(*made.deviation) + ")" : "") + ", " +
           std::to_string(made.bytes) + " bytes in " + duration_text(seconds),
       output);
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 10> kGltfOptions = {{
     {"--no-extras", ""},
     {"--copyright", "copyright"},
     {"--tangents", "tangents"},
@@ -94,6 +100,8 @@ constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
     {"--images", ""},
     {"--image-format", ""},
     {"--max-texture", ""},
+    {"--turntable", "animation"},
+    {"--grow", "animation"},
 }};
 
 // A glTF made again from itself has its own options where no others are given.
@@ -110,6 +118,8 @@ void take_options_of(const scene::GltfOptions& own, Generate& command) {
   take({"--images"}, gltf.images_in, own.images_in);
   take({"--image-format"}, gltf.image_format, own.image_format);
   take({"--max-texture"}, gltf.max_texture, own.max_texture);
+  take({"--turntable"}, gltf.turntable_seconds, own.turntable_seconds);
+  take({"--grow"}, gltf.grow_seconds, own.grow_seconds);
   take({"--copyright"}, gltf.copyright, own.copyright);
 }
 
@@ -198,6 +208,8 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
   } else {
     const scene::GltfFile gltf = scene::make_gltf(model.scene, plan, file, options);
     keep(gltf.files, gltf.ledger);
+    made.targets = gltf.targets;
+    made.grow_error = gltf.grow_error;
     for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
   }
   if (looks_for_findings) made.findings = scene::check(document, model, scene::Thoroughness::kQuick);
@@ -256,6 +268,14 @@ void add_generate(CLI::App& app) {
                  "Most texels on a side of an image; larger ones are made smaller")
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
+  sub.add_option("--turntable", command->gltf.turntable_seconds,
+                 "An animation: everything turns once about its middle, counter-clockwise from above")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds));
+  sub.add_option("--grow", command->gltf.grow_seconds,
+                 "An animation: what is swept or revolved grows from its start to its end")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds));
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);

@@ -38,6 +38,8 @@ struct GltfOptions {
   /// PNG or JPEG for every image. None: a PNG or JPEG file that fits is copied as it is, others become PNG.
   std::optional<texmap::ImageFormat> image_format;
   int max_texture = 0;    ///< larger images are made smaller; texels on a side, 0: as they are
+  double turntable_seconds = 0;  ///< that a turn of everything about +Y takes, as an animation; 0: none
+  double grow_seconds = 0;       ///< in which what is swept grows from start to end, as one; 0: none
   std::string copyright;  ///< UTF-8; empty: none
   /// The scene's JSON (SceneFile::text()), kept in the file's extras with these options, where
   /// read_gltf_source() finds them. Empty: nothing is kept.
@@ -53,6 +55,8 @@ struct NamedBytes {
 struct GltfFile {
   std::vector<NamedBytes> files;  ///< what stands beside (.bin, images), then the .glb or .gltf itself
   Ledger ledger;                  ///< bakes, thicknesses
+  std::size_t targets = 0;        ///< the most morph targets that a mesh grows by
+  double grow_error = 0;  ///< metres that a growing end is from where it should be, the most in an object
 };
 
 /// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
