@@ -39,7 +39,9 @@ TEST(Turntable, HasAKeyEveryThirtyDegreesOfTheClosedForm) {
     EXPECT_NEAR(keys[k].w, std::cos(half), 6e-8);
     EXPECT_EQ(keys[k].x, 0);
     EXPECT_EQ(keys[k].z, 0);
-    if (k > 0) EXPECT_GT(glm::dot(keys[k], keys[k - 1]), 0) << "the short way from key to key";
+    if (k > 0) {
+      EXPECT_GT(glm::dot(keys[k], keys[k - 1]), 0) << "the short way from key to key";
+    }
   }
   EXPECT_EQ(keys.back(), -keys.front()) << "the same place";
 }
