@@ -13,6 +13,7 @@
 #include <map>
 
 #include "growing_part.hpp"
+#include "sweepkit/error.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -201,6 +202,12 @@ std::optional<Growth> grow(const MeshView& mesh) {
   while (times.size() > kMostGrowthStates) {
     limits = {2 * limits.way, 2 * limits.shape};
     times = choose_times(parts, limits);
+  }
+  // Before they are made: what no file may hold need not be in memory either.
+  const std::size_t bytes = times.size() * mesh.positions.size() * 2 * sizeof(glm::vec3);
+  if (bytes >= std::size_t{1} << 31) {
+    throw InputError("to grow takes " + std::to_string(times.size()) +
+                     " morph targets, which would be over 2 GiB; ask for fewer cells");
   }
   Growth growth;
   for (std::size_t k = 0; k < times.size(); ++k) {

@@ -24,6 +24,7 @@ TEST(GltfAgain, HasTheSameBytes) {
       {},
       {"--bake-size", "32"},
       {"--bake-size", "32", "--object", "floor", "--tangents", "--unlit"},
+      {"--bake-size", "32", "--turntable", "6.5"},
       {"--bake-size", "64", "--max-texture", "16", "--compatible", "--image-format", "jpg", "--copyright",
        "© me"},
       {"--bake-size", "16", "--set", "/objects/0/scale=2"}};

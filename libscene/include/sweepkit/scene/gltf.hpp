@@ -37,10 +37,10 @@ struct GltfOptions {
   GltfImages images_in = GltfImages::kByContainer;
   /// PNG or JPEG for every image. None: a PNG or JPEG file that fits is copied as it is, others become PNG.
   std::optional<texmap::ImageFormat> image_format;
-  int max_texture = 0;    ///< larger images are made smaller; texels on a side, 0: as they are
+  int max_texture = 0;           ///< larger images are made smaller; texels on a side, 0: as they are
   double turntable_seconds = 0;  ///< that a turn of everything about +Y takes, as an animation; 0: none
   double grow_seconds = 0;       ///< in which what is swept grows from start to end, as one; 0: none
-  std::string copyright;  ///< UTF-8; empty: none
+  std::string copyright;         ///< UTF-8; empty: none
   /// The scene's JSON (SceneFile::text()), kept in the file's extras with these options, where
   /// read_gltf_source() finds them. Empty: nothing is kept.
   std::string scene;
