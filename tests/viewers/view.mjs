@@ -144,7 +144,7 @@ sweepkit(program, 'view', join(sampleScenes, 'star_to_circle.json'), '-o', morph
 sweepkit(program, 'generate', join(sampleScenes, 'spring.json'), '-o', join(out, 'spring.glb'), '--quiet');
 const modelPage = join(out, 'spring.html');
 sweepkit(program, 'view', join(out, 'spring.glb'), '-o', modelPage, '--quiet');
-// Both animations, and no light of its own.
+// Both animations; a scene of two curves has two lights.
 sweepkit(program, 'generate', '--contour', 'circle:0.1', '--trajectory', 'helix:radius=1,pitch=0.3,turns=2', '--turntable', '4',
          '--grow', '4', '-o', join(out, 'moving.glb'), '--quiet');
 const movingPage = join(out, 'moving.html');
@@ -165,7 +165,7 @@ async function moves(page) {
 }
 
 async function exerciseMotion(page) {
-  expect(await state(page, 'lights') === '0', 'a file without lights is shown as one with some');
+  expect(await state(page, 'lights') === '2', 'the two lights of the file are not seen');
   expect(await state(page, 'playing') === 'false', 'who wants less motion gets some at once');
   expect(!await moves(page), 'what is paused moves');
   for (const [what, act] of [['key P', () => page.keyboard.press('p')], ['the button Play', () => page.click('#play')]]) {
@@ -209,6 +209,7 @@ try {
 
   const names = await open(browser, namesPage, {viewport: {width: 800, height: 500}});
   expect(await state(names) === 'ready', 'the page with strange names is not ready');
+  expect(await state(names, 'lights') === '0', 'a file without lights is shown as one with some');
   expect(await names.title() === name, `the title is ${await names.title()}`);
   expect(await names.textContent('.row span') === name, 'the list tells another name');
 } finally {
