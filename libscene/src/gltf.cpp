@@ -18,8 +18,10 @@
 #include "gltf_buffer.hpp"
 #include "gltf_container.hpp"
 #include "gltf_extras.hpp"
+#include "gltf_lights.hpp"
 #include "gltf_material_entry.hpp"
 #include "gltf_mirror.hpp"
+#include "gltf_motion.hpp"
 #include "gltf_primitive.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
@@ -44,6 +46,8 @@ class Writer {
         plan_(plan),
         options_(options),
         stem_(file == "-" ? "scene" : file.stem().string()),
+        bounds_(bounds_of(scene)),
+        pivot_(options.turntable_seconds > 0 ? bounds_.center() : glm::dvec3(0.0)),
         is_binary_(file.extension() != ".gltf"),
         buffer_(model_, {options.is_quantized, options.is_packed}),
         textures_(model_, buffer_, result_, scene, options, stem_,
@@ -51,6 +55,9 @@ class Writer {
                       (options.images_in == GltfImages::kByContainer && !is_binary_)) {
     model_.asset.version = "2.0";
     model_.asset.generator = "sweepkit " SWEEPKIT_VERSION;
+    if (options.grow_seconds > 0 && (options.is_quantized || options.is_packed)) {
+      throw InputError("what grows has morph targets, which are neither quantized nor packed; leave one out");
+    }
     if (!is_utf8(options.copyright)) throw InputError("the copyright is no UTF-8 text");
     model_.asset.copyright = options.copyright;
   }
@@ -68,9 +75,18 @@ class Writer {
       first = end;
     }
     if (scene.nodes.empty()) refuse_selection();
+    if (options_.turntable_seconds > 0) add_turntable_over(scene.nodes);
+    if (options_.grow_seconds > 0) {
+      if (growing_.empty()) throw InputError("nothing here is swept or revolved, so that nothing can grow");
+      add_growing(model_, buffer_, growing_, options_.grow_seconds);
+    }
     if (!options_.is_minimal) {
       scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
       add_camera();
+      if (options_.look == GltfLook::kFull && !scene_.has_default_light) {
+        const std::vector<int> lights = add_lights(model_, scene_.lights, bounds_);
+        scene.nodes.insert(scene.nodes.end(), lights.begin(), lights.end());
+      }
     }
     model_.scenes.push_back(std::move(scene));
     model_.defaultScene = 0;
@@ -96,6 +112,32 @@ class Writer {
     throw InputError("there is no object " + in_quotes(*options_.object) + "; there is " + names);
   }
 
+  // The objects' nodes are placed about the middle of all (add_node), which the turntable's node is at.
+  void add_turntable_over(std::vector<int>& nodes) {
+    const int turntable = static_cast<int>(model_.nodes.size());
+    tinygltf::Node node;
+    node.name = "turntable";
+    node.translation = {pivot_.x, pivot_.y, pivot_.z};
+    node.children = std::move(nodes);
+    model_.nodes.push_back(std::move(node));
+    nodes = {turntable};
+    add_turntable(model_, buffer_, turntable, options_.turntable_seconds);
+  }
+
+  // Of a mesh that is to be written; none where it does not grow.
+  const Growth* growth_of(std::size_t mesh) {
+    if (!(options_.grow_seconds > 0)) return nullptr;
+    const auto [found, is_new] = growths_.try_emplace(mesh);
+    if (is_new) {
+      found->second = grow(view_of(mesh));
+      if (found->second) {
+        result_.targets = std::max(result_.targets, found->second->states.size());
+        result_.grow_error = std::max(result_.grow_error, found->second->error);
+      }
+    }
+    return found->second ? &*found->second : nullptr;
+  }
+
   GltfPieces files() {
     GltfContainer container{.views = buffer_.views,
                             .buffer_bytes = buffer_.size,
@@ -104,7 +146,9 @@ class Writer {
                             .is_indented = !is_binary_};
     GltfPieces made{.kept = std::move(buffer_.kept),
                     .ledger = result_.ledger,
-                    .triangles_without_area = result_.triangles_without_area};
+                    .triangles_without_area = result_.triangles_without_area,
+                    .targets = result_.targets,
+                    .grow_error = result_.grow_error};
     const auto add = [&](const std::string& name, std::vector<std::byte> bytes) {
       made.files.push_back({name, {made.kept.emplace_back(std::move(bytes))}});
     };
@@ -223,9 +267,13 @@ class Writer {
     glm::dmat4 mesh_from_grid = glm::dmat4(glm::dmat3(grid.step));
     mesh_from_grid[3] = glm::dvec4(grid.offset, 1);
     node_from_mesh = node_from_mesh * mesh_from_grid;
+    glm::dmat4 placement = object.world_from_object * node_from_mesh;
+    placement[3] -= glm::dvec4(pivot_, 0);
     tinygltf::Node node;
     node.mesh = mesh;
-    place(node, object.world_from_object * node_from_mesh, object.name);
+    if (const Growth* growth = growth_of(object.mesh))
+      growing_.push_back({static_cast<int>(model_.nodes.size()), growth});
+    place(node, placement, object.name);
     model_.nodes.push_back(std::move(node));
   }
 
@@ -253,6 +301,7 @@ class Writer {
                        " is too thin to be quantized: no triangle keeps its area");
     }
     primitive.material = material;
+    if (const Growth* growth = growth_of(object.mesh)) add_targets(primitive, buffer_, *growth);
     result_.triangles_without_area += without_area;
     tinygltf::Mesh entry;
     entry.name = name_of(object);
@@ -281,9 +330,13 @@ class Writer {
     camera.name = "camera";
     camera.perspective.yfov = from.fov_deg * (std::numbers::pi / 180);
     camera.perspective.aspectRatio = static_cast<double>(scene_.width) / scene_.height;
-    const double distance = glm::distance(from.target, from.eye);
-    camera.perspective.znear = 1e-3 * distance;
-    camera.perspective.zfar = 1e3 * distance;
+    // Everything is in the sphere about the bounds, however it is turned; twice that on either side leaves
+    // room. Where the eye is within, a thousandth of the way to its target is near enough.
+    const double distance = glm::distance(bounds_.center(), from.eye);
+    const double far = 2 * (distance + bounds_.radius());
+    camera.perspective.znear =
+        std::max(0.5 * (distance - bounds_.radius()), 1e-3 * glm::distance(from.target, from.eye));
+    camera.perspective.zfar = far;
     model_.cameras.push_back(camera);
     tinygltf::Node node;
     node.name = "camera";
@@ -304,6 +357,8 @@ class Writer {
   const Plan& plan_;
   const GltfOptions& options_;
   std::string stem_;
+  Bounds bounds_;
+  glm::dvec3 pivot_;
   bool is_binary_;
   tinygltf::Model model_;
   GltfFile result_;
@@ -312,7 +367,9 @@ class Writer {
   std::vector<MaterialInUse> materials_;                      // as model_.materials
   std::map<std::size_t, std::optional<double>> thicknesses_;  // by mesh
   std::map<std::size_t, PositionGrid> grids_;                 // by mesh
-  std::map<std::size_t, MirroredMesh> mirrored_;  // by mesh: those that no placement shows unmirrored
+  std::map<std::size_t, MirroredMesh> mirrored_;          // by mesh: those that no placement shows unmirrored
+  std::map<std::size_t, std::optional<Growth>> growths_;  // by mesh
+  std::vector<GrowingNode> growing_;
   std::set<std::string> extensions_;
 };
 
@@ -326,7 +383,10 @@ GltfPieces make_gltf_pieces(const Scene& scene, const Plan& plan, const std::fil
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options) {
   GltfPieces made = make_gltf_pieces(scene, plan, file, options);
-  GltfFile whole{.ledger = std::move(made.ledger), .triangles_without_area = made.triangles_without_area};
+  GltfFile whole{.ledger = std::move(made.ledger),
+                 .triangles_without_area = made.triangles_without_area,
+                 .targets = made.targets,
+                 .grow_error = made.grow_error};
   for (const GltfPieces::File& part : made.files) {
     std::size_t size = 0;
     for (const auto& piece : part.pieces) size += piece.size();

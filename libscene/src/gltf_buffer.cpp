@@ -241,6 +241,10 @@ int GltfBuffer::add_key_times(std::span<const float> seconds) {
   return index;
 }
 
+int GltfBuffer::add_weights(std::span<const float> weights) {
+  return add_array({std::as_bytes(weights), weights.size(), kFloat, TINYGLTF_TYPE_SCALAR});
+}
+
 int GltfBuffer::add_rotations(std::span<const glm::vec4> quaternions) {
   return add_array({std::as_bytes(quaternions), quaternions.size(), kFloat, TINYGLTF_TYPE_VEC4});
 }

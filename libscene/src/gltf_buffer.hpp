@@ -46,6 +46,7 @@ class GltfBuffer {
   int add_indices(std::span<const sweep::Triangle> triangles, std::size_t vertex_count,
                   Lifetime lifetime = Lifetime::kShort);
   int add_key_times(std::span<const float> seconds);  ///< rising; with their bounds
+  int add_weights(std::span<const float> weights);
   int add_rotations(std::span<const glm::vec4> quaternions);
 
   /// What the pieces point to that nobody else keeps. Moving it moves no bytes.

@@ -19,6 +19,7 @@ const std::vector<std::string> kLooks = {"full", "unlit", "compatible"};        
 const std::vector<std::string> kPlaces = {"by-container", "embedded", "separate"};  // by GltfImages
 const std::vector<std::string> kFormats = {"png", "jpg"};                           // by ImageFormat
 constexpr int kMostTexels = 32768;
+constexpr double kMostSeconds = 86400;
 
 JsonValue value(std::string text) {
   return {std::move(text), {}};
@@ -41,6 +42,9 @@ void read_options(const Node& node, GltfOptions& options) {
   }
   if (const auto size = reader.find("max_texture"))
     options.max_texture = size->integer(0, kMostTexels, " texels");
+  const Range seconds{.low = 0, .high = kMostSeconds};
+  if (const auto turn = reader.find("turntable")) options.turntable_seconds = turn->number(seconds);
+  if (const auto growth = reader.find("grow")) options.grow_seconds = growth->number(seconds);
   if (const auto text = reader.find("copyright")) options.copyright = text->text();
   if (const auto is = reader.find("quantize")) options.is_quantized = is->boolean();
   if (const auto bits = reader.find("position_bits")) options.position_bits = bits->integer(8, 16, " bits");
@@ -69,6 +73,8 @@ std::string gltf_extras(const GltfOptions& options) {
   if (options.max_texture != usual.max_texture) {
     add("max_texture", {static_cast<double>(options.max_texture), {}});
   }
+  if (options.turntable_seconds > 0) add("turntable", {options.turntable_seconds, {}});
+  if (options.grow_seconds > 0) add("grow", {options.grow_seconds, {}});
   if (!options.copyright.empty()) add("copyright", value(options.copyright));
   if (options.is_quantized) add("quantize", {true, {}});
   if (options.position_bits) add("position_bits", {static_cast<double>(*options.position_bits), {}});

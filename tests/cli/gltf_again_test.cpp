@@ -25,6 +25,7 @@ TEST(GltfAgain, HasTheSameBytes) {
       {"--bake-size", "32"},
       {"--texel-density", "8.5"},
       {"--bake-size", "32", "--object", "floor", "--tangents", "--unlit"},
+      {"--bake-size", "32", "--turntable", "6.5"},
       {"--bake-size", "64", "--max-texture", "16", "--compatible", "--image-format", "jpg", "--copyright",
        "© me"},
       {"--bake-size", "16", "--quantize", "--position-bits", "12", "--meshopt"},

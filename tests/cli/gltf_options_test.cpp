@@ -22,7 +22,9 @@ TEST(GltfOptions, AreRefusedForFormatsThatHaveNothingOfTheKind) {
                                              {"--quantize"},
                                              {"--position-bits", "12"},
                                              {"--meshopt"},
-                                             {"--minimal"}}) {
+                                             {"--minimal"},
+                                             {"--turntable", "8"},
+                                             {"--grow", "8"}}) {
     std::vector<std::string> arguments = {"generate", "s.json", "-o", "b.stl"};
     arguments.insert(arguments.end(), option.begin(), option.end());
     const Outcome run = workshop.sweepkit(arguments);

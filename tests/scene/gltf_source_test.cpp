@@ -56,6 +56,7 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
                       .images_in = GltfImages::kSeparate,
                       .image_format = texmap::ImageFormat::kJpeg,
                       .max_texture = 99,
+                      .turntable_seconds = 2.5,
                       .copyright = "© \"me\"",
                       .is_quantized = true,
                       .position_bits = 12,
@@ -72,6 +73,7 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
     EXPECT_EQ(source.options.images_in, options.images_in);
     EXPECT_EQ(source.options.image_format, options.image_format);
     EXPECT_EQ(source.options.max_texture, options.max_texture);
+    EXPECT_EQ(source.options.turntable_seconds, options.turntable_seconds);
     EXPECT_EQ(source.options.copyright, options.copyright);
     EXPECT_EQ(source.options.is_quantized, options.is_quantized);
     EXPECT_EQ(source.options.position_bits, options.position_bits);
@@ -80,10 +82,13 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
   options.image_format = texmap::ImageFormat::kPng;
   options.images_in = GltfImages::kEmbedded;
   options.look = GltfLook::kCompatible;
+  options.is_quantized = options.is_packed = false;  // what grows is neither
+  options.grow_seconds = 7;
   const GltfSource source = read_gltf_source(write(make(kScene, "a.glb", options)));
   EXPECT_EQ(source.options.image_format, options.image_format);
   EXPECT_EQ(source.options.images_in, options.images_in);
   EXPECT_EQ(source.options.look, options.look);
+  EXPECT_EQ(source.options.grow_seconds, options.grow_seconds);
 }
 
 TEST_F(GltfSourceTest, UsualOptionsTakeNoPlaceAndWithoutASceneThereAreNoExtras) {

@@ -19,9 +19,11 @@ export const variants = [
   {name: 'baked', options: ['--bake-size', '33']},
   {name: 'dense', options: ['--texel-density', '20']},
   {name: 'bare', options: ['--no-extras', '--copyright', '2026 Käthe "K" Töpfer']},
-  {name: 'quantized', options: ['--quantize', '--position-bits', '14']},
-  {name: 'packed', options: ['--meshopt']},
-  {name: 'smallest', options: ['--quantize', '--meshopt', '--minimal']},
+  {name: 'turning', options: ['--turntable', '8']},
+  // compressed.mjs loads these: their vertices are others, and not every program knows the extensions.
+  {name: 'quantized', options: ['--quantize', '--position-bits', '14'], isCompressed: true},
+  {name: 'packed', options: ['--meshopt'], isCompressed: true},
+  {name: 'smallest', options: ['--quantize', '--meshopt', '--minimal'], isCompressed: true},
   {name: 'together', options: ['--unlit', '--tangents', '--images', 'separate', '--image-format', 'jpg', '--max-texture', '64']},
 ];
 
@@ -38,6 +40,8 @@ const besides = [
   '--help', '--set', '--files-in', '--each', '--threads', '--explain', '--json', '--quiet',
   // One object alone: a scene of its own, which scenes of one object are too.
   '--object',
+  // Refused where nothing is swept; motion.mjs has it.
+  '--grow',
   // A scene without a file.
   '--contour', '--trajectory', '--profile', '--twist', '--guide', '--sweep-frames', '--caps', '--joints', '--texture',
   '--texture-size', '--tolerance', '--cells',

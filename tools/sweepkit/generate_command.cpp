@@ -25,6 +25,8 @@
 namespace sweepkit::tools {
 namespace {
 
+constexpr double kLeastSeconds = 0.01;
+constexpr double kMostSeconds = 86400;
 constexpr int kMostTexels = 16384;  // a side: kMostPixels in all
 
 void write(const std::vector<scene::NamedBytes>& parts, const std::filesystem::path& file) {
@@ -92,13 +94,17 @@ void generate_one(const Generate& command) {
           (made.triangles_without_area > 0 ? " (" + std::to_string(made.triangles_without_area) +
                                                  " without area when quantized are left out)"
                                            : "") +
+          (made.targets > 0
+               ? " (growing: within " + length_text(made.grow_error) + " by " + std::to_string(made.targets) +
+                     (made.targets == 1 ? " morph target)" : " morph targets)")
+               : "") +
           (made.deviation ? " (by tolerance: within " + length_text(*made.deviation) + ")" : "") + ", " +
           std::to_string(made.bytes) + " bytes in " + duration_text(seconds),
       output);
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 12> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 14> kGltfOptions = {{
     {"--no-extras", ""},
     {"--copyright", "copyright"},
     {"--tangents", "tangents"},
@@ -111,6 +117,8 @@ constexpr std::array<std::array<const char*, 2>, 12> kGltfOptions = {{
     {"--position-bits", "quantized vertices"},
     {"--meshopt", "packed vertices"},
     {"--minimal", "names, cameras and extras"},
+    {"--turntable", "animation"},
+    {"--grow", "animation"},
 }};
 
 // A glTF made again from itself has its own options where no others are given.
@@ -128,6 +136,8 @@ void take_options_of(const scene::GltfOptions& own, Generate& command) {
   take({"--images"}, gltf.images_in, own.images_in);
   take({"--image-format"}, gltf.image_format, own.image_format);
   take({"--max-texture"}, gltf.max_texture, own.max_texture);
+  take({"--turntable"}, gltf.turntable_seconds, own.turntable_seconds);
+  take({"--grow"}, gltf.grow_seconds, own.grow_seconds);
   take({"--copyright"}, gltf.copyright, own.copyright);
   take({"--quantize"}, gltf.is_quantized, own.is_quantized);
   take({"--position-bits"}, gltf.position_bits, own.position_bits);
@@ -239,6 +249,8 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
     for (const scene::GltfPieces::File& part : gltf.files) {
       for (const std::span<const std::byte> piece : part.pieces) made.bytes += piece.size();
     }
+    made.targets = gltf.targets;
+    made.grow_error = gltf.grow_error;
     for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
     made.triangles -= gltf.triangles_without_area;
     made.triangles_without_area = gltf.triangles_without_area;
@@ -319,6 +331,14 @@ void add_generate(CLI::App& app) {
       "--minimal", command->gltf.is_minimal,
       "Only what shows the objects: no names, no camera, no extras (the file cannot be made again from "
       "itself), and (u,v) only where there is a texture");
+  sub.add_option("--turntable", command->gltf.turntable_seconds,
+                 "An animation: everything turns once about its middle, counter-clockwise from above")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds));
+  sub.add_option("--grow", command->gltf.grow_seconds,
+                 "An animation: what is swept or revolved grows from its start to its end")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds));
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);

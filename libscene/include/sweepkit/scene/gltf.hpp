@@ -40,8 +40,10 @@ struct GltfOptions {
   GltfImages images_in = GltfImages::kByContainer;
   /// PNG or JPEG for every image. None: a PNG or JPEG file that fits is copied as it is, others become PNG.
   std::optional<texmap::ImageFormat> image_format;
-  int max_texture = 0;    ///< larger images are made smaller; texels on a side, 0: as they are
-  std::string copyright;  ///< UTF-8; empty: none
+  int max_texture = 0;           ///< larger images are made smaller; texels on a side, 0: as they are
+  double turntable_seconds = 0;  ///< that a turn of everything about +Y takes, as an animation; 0: none
+  double grow_seconds = 0;       ///< in which what is swept grows from start to end, as one; 0: none
+  std::string copyright;         ///< UTF-8; empty: none
   /// Positions in 16 bits, normals and tangents in 8, (u,v) between 0 and 1 in 16: KHR_mesh_quantization,
   /// which viewers are then required to know. Positions are off by half of (longest side of the mesh's box) /
   /// (2^position_bits - 1) an axis at most, parts of normals by 1/254, (u,v) by 1/131070.
@@ -69,6 +71,8 @@ struct GltfFile {
   std::vector<NamedBytes> files;  ///< what stands beside (.bin, images), then the .glb or .gltf itself
   Ledger ledger;                  ///< bakes, thicknesses
   std::size_t triangles_without_area = 0;  ///< left out, since quantizing made them an edge or a point
+  std::size_t targets = 0;                 ///< the most morph targets that a mesh grows by
+  double grow_error = 0;  ///< metres that a growing end is from where it should be, the most in an object
 };
 
 /// A GltfFile whose bytes are in pieces, many of them the scene's own arrays: the scene must outlive it.
@@ -81,6 +85,8 @@ struct GltfPieces {
   std::deque<std::vector<std::byte>> kept;  ///< what pieces point to beside the scene
   Ledger ledger;
   std::size_t triangles_without_area = 0;
+  std::size_t targets = 0;  ///< the most morph targets that a mesh grows by
+  double grow_error = 0;    ///< metres that a growing end is from where it should be, the most in an object
 };
 
 /// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
@@ -89,7 +95,8 @@ struct GltfPieces {
 /// is in its node in double. Arrays, images and materials that are equal are written once, and a PNG or JPEG
 /// that needs no change is copied byte for byte. The same scene gives the same bytes. Throws InputError for
 /// an unknown object, one without triangles or with none left when quantized, one that an instance shears, a
-/// copyright that is no UTF-8, or a file over 2 GiB.
+/// copyright that is no UTF-8, growing where nothing is swept or with vertices that are quantized or packed,
+/// or a file over 2 GiB.
 GltfPieces make_gltf_pieces(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                             const GltfOptions& options);
 
