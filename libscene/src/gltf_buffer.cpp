@@ -191,10 +191,9 @@ int GltfBuffer::add_bounded(std::span<const Position> positions, const Array& ar
   }
   const int index = add_array(array, pack(positions));
   tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
-  for (const int axis : {0, 1, 2}) {
-    accessor.minValues.push_back(at(low, axis));
-    accessor.maxValues.push_back(at(high, axis));
-  }
+  // Not added to: the accessor may be another mesh's, with the same bytes.
+  accessor.minValues = {1.0 * at(low, 0), 1.0 * at(low, 1), 1.0 * at(low, 2)};
+  accessor.maxValues = {1.0 * at(high, 0), 1.0 * at(high, 1), 1.0 * at(high, 2)};
   return index;
 }
 

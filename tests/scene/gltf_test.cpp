@@ -345,6 +345,10 @@ TEST(Gltf, ObjectsOfOneShapeShareItsArraysAndKeepTheirNames) {
   EXPECT_NE(parsed.primitive(0)["material"], parsed.primitive(1)["material"]);
   EXPECT_EQ(parsed.root["accessors"].size(), 4u);
   EXPECT_EQ(parsed.root["bufferViews"].size(), 4u);
+  const json& positions =
+      parsed.root["accessors"][parsed.primitive(0)["attributes"]["POSITION"].get<std::size_t>()];
+  EXPECT_EQ(positions["min"].size(), 3u) << "whoever asks for it again";
+  EXPECT_EQ(positions["max"].size(), 3u);
 }
 
 TEST(Gltf, APositionArrayThatEqualsTheNormalsHasBoundsAllTheSame) {

@@ -31,7 +31,8 @@ export const variants = [
 export const bakeSize = 64;
 
 export function generateVariant(program, scene, file, {options}) {
-  const size = options.includes('--bake-size') ? [] : ['--bake-size', bakeSize];
+  const hasSize = options.some((option) => ['--bake-size', '--texel-density'].includes(option));
+  const size = hasSize ? [] : ['--bake-size', bakeSize];
   sweepkit(program, 'generate', scene, '-o', file, '--quiet', ...size, ...options);
 }
 

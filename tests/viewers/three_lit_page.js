@@ -17,6 +17,7 @@ window.draw = async ({glb, width, height, direction, turnsGreen}) => {
   renderer.outputColorSpace = SRGBColorSpace;
 
   model.scene.traverse((node) => {
+    if (node.isLight) node.visible = false;  // the file's own
     if (!node.isMesh) return;
     const {map, color, side, normalMap, normalScale} = node.material;
     for (const texture of [map, normalMap]) {

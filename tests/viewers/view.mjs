@@ -134,8 +134,9 @@ sweepkit(program, 'view', join(sampleScenes, 'star_to_circle.json'), '-o', morph
 sweepkit(program, 'generate', join(sampleScenes, 'spring.json'), '-o', join(out, 'spring.glb'), '--quiet');
 const modelPage = join(out, 'spring.html');
 sweepkit(program, 'view', join(out, 'spring.glb'), '-o', modelPage, '--quiet');
-// Both animations; a scene of two curves has two lights.
+// Both animations and two lights.
 sweepkit(program, 'generate', '--contour', 'circle:0.1', '--trajectory', 'helix:radius=1,pitch=0.3,turns=2', '--turntable', '4',
+         '--set', '/lights=[{"directional": [0.5, -1, -0.5]}, {"point": [3, 3, 3]}]',
          '--grow', '4', '-o', join(out, 'moving.glb'), '--quiet');
 const movingPage = join(out, 'moving.html');
 sweepkit(program, 'view', join(out, 'moving.glb'), '-o', movingPage, '--quiet');

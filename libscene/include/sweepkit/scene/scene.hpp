@@ -41,7 +41,7 @@ struct MeshView {
   std::span<const sweep::Area> areas;
   glm::dvec3 origin{0.0};
   std::span<const glm::vec4> tangents;  ///< as sweep::find_tangents() has them; empty without a normal map
-  std::vector<SweptPart> swept;  ///< in order of their areas; planes and mesh files are no part of it
+  std::vector<SweptPart> swept;         ///< in order of their areas; planes and mesh files are no part of it
 };
 
 /// One past the last triangle of each sheet of texture: areas that continue the one before belong to it.
