@@ -23,7 +23,9 @@ def describe(object):
     world = local.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3]
     world = numpy.stack([world[:, 0], world[:, 2], -world[:, 1]], axis=1)
     material = mesh.materials[0]
-    images = [node.image for node in material.node_tree.nodes if node.type == "TEX_IMAGE"]
+    # Normal maps are no colours.
+    nodes = [node for node in material.node_tree.nodes if node.type == "TEX_IMAGE"]
+    images = [node.image for node in nodes if node.image.colorspace_settings.name != "Non-Color"]
     return {
         "triangles": len(mesh.loop_triangles),
         "min": world.min(axis=0).tolist(),

@@ -104,7 +104,7 @@ async function loadInThree(files) {
 
 // `assimp info` sums up: meshes with their triangles, materials, embedded textures, the bounds of all (in float32).
 function loadInAssimp(files) {
-  for (const {file, expected} of files) {
+  for (const {file, expected, variant} of files) {
     const text = execFileSync('assimp', ['info', file], {encoding: 'utf8'});
     const vector = (name) => text.match(new RegExp(`^${name} +\\(([^)]*)\\)`, 'm'))[1].split(' ').map(Number);
     const inOrder = (numbers) => [...numbers].sort((a, b) => a - b).join(' ');
@@ -124,7 +124,8 @@ function loadInAssimp(files) {
       max: [0, 1, 2].map((k) => Math.max(...expected.map((mesh) => mesh.max[k]))),
     };
     const within = boundsWithin(all, true) + 1e-6;  // printed to six decimals
-    if (!near(vector('Minimum point'), all.min, within) || !near(vector('Maximum point'), all.max, within)) {
+    const isAsBounded = near(vector('Minimum point'), all.min, within) && near(vector('Maximum point'), all.max, within);
+    if (!variant.isMoving && !isAsBounded) {
       complain(`${file}: assimp finds bounds of ${vector('Minimum point')} to ${vector('Maximum point')}, not ${all.min} to ${all.max}`);
     }
     const images = JSON.parse(execFileSync(program, ['info', file, '--json'], {encoding: 'utf8'})).images;
@@ -160,7 +161,7 @@ function loadInBlender(files) {
 
 const files = generateFiles();
 if (words.includes('blender')) {
-  loadInBlender(files);
+  loadInBlender(files.filter(({variant}) => !variant.isMoving));
 } else {
   await loadInThree(files);
   loadInAssimp(files);
