@@ -383,7 +383,7 @@ GltfPieces make_gltf_pieces(const Scene& scene, const Plan& plan, const std::fil
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options) {
   GltfPieces made = make_gltf_pieces(scene, plan, file, options);
-  GltfFile whole{.ledger = std::move(made.ledger),
+  GltfFile whole{.ledger = made.ledger,
                  .triangles_without_area = made.triangles_without_area,
                  .targets = made.targets,
                  .grow_error = made.grow_error};

@@ -21,7 +21,7 @@ TEST(GltfAgain, HasTheSameBytes) {
   const Workshop workshop;
   workshop.write("s.json", kCheckered);
   const std::vector<std::vector<std::string>> variants = {
-      {},
+      {"--max-texture", "32"},
       {"--bake-size", "32"},
       {"--texel-density", "8.5"},
       {"--bake-size", "32", "--object", "floor", "--tangents", "--unlit"},
