@@ -26,12 +26,12 @@ const kOrigin = 'http://files.test';
 const kTypes = {'.glb': 'model/gltf-binary', '.gltf': 'model/gltf+json', '.png': 'image/png', '.jpg': 'image/jpeg'};
 
 /**
- * Runs `use(page, urlOf)` on a page with the functions of three_page.js. The page sees the files of `folder` as a
+ * Runs `use(page, urlOf)` on a page with the functions of three_page.js, or another such script. The page sees the files of `folder` as a
  * server's: urlOf(name) is one's address. What goes wrong in the page is thrown.
  */
-export async function withThree(folder, use) {
+export async function withThree(folder, use, pageScript = 'three_page.js') {
   const script = buildSync({
-    entryPoints: [join(here, 'three_page.js')], bundle: true, write: false, format: 'iife', logLevel: 'error',
+    entryPoints: [join(here, pageScript)], bundle: true, write: false, format: 'iife', logLevel: 'error',
   }).outputFiles[0].text;
   const browser = await launch(webgl);
   try {
@@ -60,7 +60,7 @@ export async function withThree(folder, use) {
   }
 }
 
-/** What three_page.js's draw() draws for `request`, as a decoded picture. */
+/** What the page's draw() draws for `request`, as a decoded picture. */
 export async function drawInThree(page, request) {
   const url = await page.evaluate((given) => window.draw(given), request);
   return pngjs.PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64'));

@@ -5,17 +5,12 @@
 // in the middle, where a point light is right by its own rule, the grey levels are the same but for what glTF's
 // dielectric mirrors of a light that it scatters (F0 = 0.04, roughness 1): with both N.L and N.V near 1 that is
 // 0.25 x 0.04 / d = 0.02 of the diffuse light for d = 0.5, 1.5 levels of 255; a grazing light makes it more.
-import {buildSync} from 'esbuild';
-import {execFileSync} from 'node:child_process';
 import {readFileSync, writeFileSync} from 'node:fs';
-import {dirname, join} from 'node:path';
-import {chromium} from 'playwright-core';
-import {fileURLToPath} from 'node:url';
+import {join} from 'node:path';
 import pngjs from 'pngjs';
+import {drawInThree, withThree} from './browser.mjs';
 import {freshFolder, sweepkit} from './sweepkit.mjs';
 
-const {PNG} = pngjs;
-const here = dirname(fileURLToPath(import.meta.url));
 const [program, out] = process.argv.slice(2);
 freshFolder(out);
 
@@ -45,30 +40,15 @@ function middle(picture) {
   return [...picture.data.subarray(at, at + 3)];
 }
 
-const script = buildSync({
-  entryPoints: [join(here, 'lit_page.js')], bundle: true, write: false, format: 'iife', logLevel: 'error',
-}).outputFiles[0].text;
-const browser = await chromium.launch({
-  executablePath: execFileSync('sh', ['-c', 'command -v chromium'], {encoding: 'utf8'}).trim(),
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-         '--disable-background-networking', '--disable-component-update', '--disable-default-apps', '--disable-sync',
-         '--no-first-run', '--no-pings'],
-});
 let faults = 0;
-try {
-  const page = await browser.newPage();
-  page.on('pageerror', (error) => console.error('in the page: ' + error));
-  await page.setContent('<!doctype html><title>three.js</title>');
-  await page.addScriptTag({content: script});
-  for (const [name, light] of Object.entries(kLights)) {
-    const scene = join(out, 'scene.json');
+await withThree(out, async (page, urlOf) => {
+  for (const [i, [name, light]] of Object.entries(kLights).entries()) {
+    const scene = join(out, `scene_${i}.json`);
     writeFileSync(scene, JSON.stringify(sceneWith(light)));
     sweepkit(program, 'render', scene, '-o', join(out, 'ours.png'), '--size', `${kSize}x${kSize}`, '--quiet');
-    sweepkit(program, 'generate', scene, '-o', join(out, 'scene.glb'), '--quiet');
-    const ours = middle(PNG.sync.read(readFileSync(join(out, 'ours.png'))));
-    const url = await page.evaluate((given) => window.drawLit(given),
-                                    {glb: readFileSync(join(out, 'scene.glb')).toString('base64'), size: kSize});
-    const theirs = middle(PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64')));
+    sweepkit(program, 'generate', scene, '-o', join(out, `scene_${i}.glb`), '--quiet');
+    const ours = middle(pngjs.PNG.sync.read(readFileSync(join(out, 'ours.png'))));
+    const theirs = middle(await drawInThree(page, {url: urlOf(`scene_${i}.glb`), size: kSize}));
     const apart = Math.max(...ours.map((level, k) => Math.abs(level - theirs[k])));
     console.log(`${name}: ${ours} by the ray tracer, ${theirs} in three.js`);
     if (!(apart <= kMostLevels) || !(Math.max(...ours) > 60)) {
@@ -76,7 +56,5 @@ try {
       console.error(`${name}: ${apart} levels apart`);
     }
   }
-} finally {
-  await browser.close();
-}
+}, 'lit_page.js');
 process.exit(faults > 0 ? 1 : 0);

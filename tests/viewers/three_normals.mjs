@@ -4,16 +4,13 @@
 // three.js and the ray tracer draw normal maps under the same light: the pictures differ by no more than kMostDifference
 // on average, outside of shadows, which three.js is not asked for. Two controls show that this sees the maps at all: with
 // their green turned round, as a wrong direction of v would do, and without them.
-import {buildSync} from 'esbuild';
 import {readFileSync, writeFileSync} from 'node:fs';
-import {dirname, join} from 'node:path';
-import {fileURLToPath} from 'node:url';
+import {join} from 'node:path';
 import pngjs from 'pngjs';
-import {launch, webgl} from './browser.mjs';
+import {drawInThree, withThree} from './browser.mjs';
 import {awkwardScenes, freshFolder, sweepkit, uncommented} from './sweepkit.mjs';
 
 const {PNG} = pngjs;
-const here = dirname(fileURLToPath(import.meta.url));
 const [program, out] = process.argv.slice(2);
 freshFolder(out);
 
@@ -32,27 +29,6 @@ function renderOurs(name, settings) {
   return PNG.sync.read(readFileSync(file));
 }
 
-async function drawTheirs(requests) {
-  const script = buildSync({
-    entryPoints: [join(here, 'three_lit_page.js')], bundle: true, write: false, format: 'iife', logLevel: 'error',
-  }).outputFiles[0].text;
-  const browser = await launch(webgl);
-  try {
-    const page = await browser.newPage();
-    page.on('pageerror', (error) => console.error('in the page: ' + error));
-    await page.setContent('<!doctype html><title>three.js</title>');
-    await page.addScriptTag({content: script});
-    const pictures = [];
-    for (const request of requests) {
-      const url = await page.evaluate((given) => window.draw(given), request);
-      pictures.push(PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64')));
-    }
-    return pictures;
-  } finally {
-    await browser.close();
-  }
-}
-
 // In levels, over the pixels of the mask.
 function difference(ours, theirs, mask) {
   let sum = 0;
@@ -67,9 +43,10 @@ function difference(ours, theirs, mask) {
 
 const glbFile = join(out, 'normals.glb');
 sweepkit(program, 'generate', sceneFile, '-o', glbFile, '--quiet');
-const request = {glb: readFileSync(glbFile).toString('base64'), width: kSize, height: kSize,
-                 direction: scene.lights[0].directional};
-const [theirs, turned] = await drawTheirs([request, {...request, turnsGreen: true}]);
+const [theirs, turned] = await withThree(out, async (page, urlOf) => {
+  const request = {url: urlOf('normals.glb'), size: kSize, sun: scene.lights[0].directional};
+  return [await drawInThree(page, request), await drawInThree(page, {...request, turnsGreen: true})];
+}, 'lit_page.js');
 const ours = renderOurs('ours.png', []);
 const flat = renderOurs('flat.png', Object.keys(scene.materials).flatMap((name) => ['--set', `/materials/${name}/normal_strength=0`]));
 // What is black here and not there lies in a shadow.
