@@ -89,16 +89,19 @@ std::int32_t TreeBuilder::add_node(TreeRow& row, const Hit& hit, const Ray& ray,
   return static_cast<std::int32_t>(row.nodes.size()) - 1;
 }
 
-void TreeBuilder::map_normal(TreeRow& row, std::int32_t node, SurfacePoint& point,
-                             const Growth& growth) const {
+glm::dvec3 TreeBuilder::normal_of(TreeRow& row, std::int32_t node, const SurfacePoint& point,
+                                  const Growth& growth) const {
+  if (maps_ == nullptr) return point.shading_normal;
   const auto index = static_cast<std::size_t>(node);
   const TreeNode& at = row.nodes[index];
+  glm::dvec3& normal = row.normals[index];
+  normal = point.shading_normal;
   if (material_of(scene_, at.hit.object).normal_map) {
     ++growth.counts.normals;
-    point.shading_normal = maps_->normal(at.hit, at.direction, point, row.differentials[index],
-                                         texcoord_of(at.hit), *growth.filter);
+    normal = maps_->normal(at.hit, at.direction, point, row.differentials[index], texcoord_of(at.hit),
+                           *growth.filter);
   }
-  row.normals[index] = point.shading_normal;
+  return normal;
 }
 
 void TreeBuilder::visit(TreeRow& row, std::int32_t node, int level, double weight, std::uint64_t seed,
@@ -107,14 +110,14 @@ void TreeBuilder::visit(TreeRow& row, std::int32_t node, int level, double weigh
   const bool is_followed =
       needs_trees_ && level < scene_.depth && scatters(material_of(scene_, at.hit.object));
   if (!is_followed && !needs_shadows_) return;
-  SurfacePoint point = surface_point(tracer_, at.hit, at.direction);
-  const SurfacePoint unmapped = point;
-  if (maps_ != nullptr) map_normal(row, node, point, growth);
+  const SurfacePoint point = surface_point(tracer_, at.hit, at.direction);
+  const glm::dvec3 normal = normal_of(row, node, point, growth);
   if (needs_shadows_) {
-    growth.counts.shadow +=
-        add_visibility(row.visibility, scene_, tracer_, at.hit, unmapped, point.shading_normal, seed);
+    growth.counts.shadow += add_visibility(row.visibility, scene_, tracer_, at.hit, point, normal, seed);
   }
-  if (is_followed) growth.pending.push_back({node, level, weight, point});
+  if (!is_followed) return;
+  growth.pending.push_back({node, level, weight, point});
+  growth.pending.back().point.shading_normal = normal;
 }
 
 void TreeBuilder::add_children(TreeRow& row, const Pending& parent, std::uint64_t seed,

@@ -117,8 +117,9 @@ class TreeBuilder {
   void visit(TreeRow& row, std::int32_t node, int level, double weight, std::uint64_t seed,
              const Growth& growth) const;
   void add_children(TreeRow& row, const Pending& parent, std::uint64_t seed, const Growth& growth) const;
-  // Looks the node's normal up, if it has a normal map, and keeps it.
-  void map_normal(TreeRow& row, std::int32_t node, SurfacePoint& point, const Growth& growth) const;
+  // What the node is shaded with: its normal map's, which it keeps, or the surface's own.
+  glm::dvec3 normal_of(TreeRow& row, std::int32_t node, const SurfacePoint& point,
+                       const Growth& growth) const;
   std::uint32_t area_of(const Hit& hit) const;
 
   const scene::Scene& scene_;

@@ -11,11 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "gltf_arrays.hpp"
 #include "gltf_buffer.hpp"
+#include "gltf_camera.hpp"
 #include "gltf_container.hpp"
 #include "gltf_extras.hpp"
 #include "gltf_lights.hpp"
@@ -46,7 +46,7 @@ class Writer {
         plan_(plan),
         options_(options),
         stem_(file == "-" ? "scene" : file.stem().string()),
-        bounds_(bounds_of(scene)),
+        bounds_(needs_bounds(options) ? bounds_of(scene) : Bounds()),
         pivot_(options.turntable_seconds > 0 ? bounds_.center() : glm::dvec3(0.0)),
         is_binary_(file.extension() != ".gltf"),
         buffer_(model_, {options.is_quantized, options.is_packed}),
@@ -81,12 +81,14 @@ class Writer {
       add_growing(model_, buffer_, growing_, options_.grow_seconds);
     }
     if (!options_.is_minimal) {
-      scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
-      add_camera();
+      scene.nodes.push_back(add_camera(model_, scene_, bounds_));
       if (options_.look == GltfLook::kFull && !scene_.has_default_light) {
         const std::vector<int> lights = add_lights(model_, scene_.lights, bounds_);
         scene.nodes.insert(scene.nodes.end(), lights.begin(), lights.end());
       }
+    }
+    if (options_.is_minimal) {
+      for (tinygltf::Animation& animation : model_.animations) animation.name.clear();
     }
     model_.scenes.push_back(std::move(scene));
     model_.defaultScene = 0;
@@ -103,6 +105,11 @@ class Writer {
   }
 
  private:
+  // For the camera's depths, the lights' brightness and the turntable's middle.
+  static bool needs_bounds(const GltfOptions& options) {
+    return !options.is_minimal || options.turntable_seconds > 0;
+  }
+
   [[noreturn]] void refuse_selection() const {
     if (!options_.object) throw InputError("the scene has no objects to write");
     std::string names;
@@ -116,7 +123,7 @@ class Writer {
   void add_turntable_over(std::vector<int>& nodes) {
     const int turntable = static_cast<int>(model_.nodes.size());
     tinygltf::Node node;
-    node.name = "turntable";
+    if (!options_.is_minimal) node.name = "turntable";
     node.translation = {pivot_.x, pivot_.y, pivot_.z};
     node.children = std::move(nodes);
     model_.nodes.push_back(std::move(node));
@@ -273,7 +280,13 @@ class Writer {
     node.mesh = mesh;
     if (const Growth* growth = growth_of(object.mesh))
       growing_.push_back({static_cast<int>(model_.nodes.size()), growth});
-    place(node, placement, object.name);
+    const std::optional<NodeTransform> transform = decompose(placement);
+    if (!transform) {
+      throw InputError("the object " + in_quotes(object.name) +
+                       " is sheared by an instance, which glTF cannot place; give that instance one scale "
+                       "for all directions");
+    }
+    place(node, *transform);
     model_.nodes.push_back(std::move(node));
   }
 
@@ -308,44 +321,6 @@ class Writer {
     entry.primitives.push_back(std::move(primitive));
     model_.meshes.push_back(std::move(entry));
     return static_cast<int>(model_.meshes.size()) - 1;
-  }
-
-  static void place(tinygltf::Node& node, const glm::dmat4& world_from_node, const std::string& name) {
-    const std::optional<NodeTransform> transform = decompose(world_from_node);
-    if (!transform) {
-      throw InputError("the object " + in_quotes(name) +
-                       " is sheared by an instance, which glTF cannot place; give that instance one scale "
-                       "for all directions");
-    }
-    const auto& [t, r, s] = *transform;
-    if (t != glm::dvec3(0.0)) node.translation = {t.x, t.y, t.z};
-    if (r != glm::dvec4(0, 0, 0, 1)) node.rotation = {r.x, r.y, r.z, r.w};
-    if (s != glm::dvec3(1.0)) node.scale = {s.x, s.y, s.z};
-  }
-
-  void add_camera() {
-    const Camera& from = scene_.camera;
-    tinygltf::Camera camera;
-    camera.type = "perspective";
-    camera.name = "camera";
-    camera.perspective.yfov = from.fov_deg * (std::numbers::pi / 180);
-    camera.perspective.aspectRatio = static_cast<double>(scene_.width) / scene_.height;
-    // Everything is in the sphere about the bounds, however it is turned; twice that on either side leaves
-    // room. Where the eye is within, a thousandth of the way to its target is near enough.
-    const double distance = glm::distance(bounds_.center(), from.eye);
-    const double far = 2 * (distance + bounds_.radius());
-    camera.perspective.znear =
-        std::max(0.5 * (distance - bounds_.radius()), 1e-3 * glm::distance(from.target, from.eye));
-    camera.perspective.zfar = far;
-    model_.cameras.push_back(camera);
-    tinygltf::Node node;
-    node.name = "camera";
-    node.camera = 0;
-    glm::dmat4 placement(world_from_camera(from));
-    placement[3] = glm::dvec4(from.eye, 1);
-    place(node, placement, node.name);
-    node.scale.clear();  // 1 but for rounding; a camera has none
-    model_.nodes.push_back(std::move(node));
   }
 
   struct MaterialInUse {

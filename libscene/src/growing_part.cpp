@@ -119,6 +119,15 @@ void add_end_caps(const MeshView& mesh, const SweptPart& part, GrowingPart& grow
   }
 }
 
+double largest_radius(const std::vector<SectionPoints>& sections) {
+  double radius = 0;
+  for (const SectionPoints& points : sections) {
+    const glm::dvec3 center = middle(points);
+    for (const glm::dvec3& point : points) radius = std::max(radius, glm::distance(point, center));
+  }
+  return radius;
+}
+
 }  // namespace
 
 glm::dvec3 middle(const SectionPoints& points) {
@@ -166,6 +175,7 @@ std::optional<GrowingPart> growing_part(const MeshView& mesh, const SweptPart& p
     SectionPoints& points = growing.sections.emplace_back();
     for (const Strips& strips : walls) append_points(mesh, strips, time, length, points);
   }
+  growing.radius = largest_radius(growing.sections);
   std::uint32_t first_line = 0;
   for (const Strips& strips : walls) {
     const std::uint32_t last_line = first_line + strips.front().lines() - 1;

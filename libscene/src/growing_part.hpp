@@ -25,6 +25,7 @@ struct GrowingPart {
   };
   std::vector<double> times;            ///< rising, the last is 1
   std::vector<SectionPoints> sections;  ///< at those times
+  double radius = 0;                    ///< of the largest section about its middle
   std::vector<WallVertex> wall;
   std::vector<std::uint32_t> end_cap;  ///< vertices
 

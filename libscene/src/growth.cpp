@@ -26,15 +26,6 @@ struct Limits {
   double shape;  // a share of the section's radius
 };
 
-double largest_radius(const GrowingPart& part) {
-  double radius = 0;
-  for (const SectionPoints& points : part.sections) {
-    const glm::dvec3 center = middle(points);
-    for (const glm::dvec3& point : points) radius = std::max(radius, glm::distance(point, center));
-  }
-  return radius;
-}
-
 // How far the growing end is from its places between two states.
 struct OffPlace {
   double way = 0;
@@ -64,7 +55,7 @@ OffPlace off_place(const GrowingPart& part, double from, double to) {
 bool is_near_enough(const std::vector<GrowingPart>& parts, double from, double to, const Limits& limits) {
   return std::all_of(parts.begin(), parts.end(), [&](const GrowingPart& part) {
     const OffPlace off = off_place(part, from, to);
-    return off.way <= limits.way && off.shape <= limits.shape * largest_radius(part);
+    return off.way <= limits.way && off.shape <= limits.shape * part.radius;
   });
 }
 

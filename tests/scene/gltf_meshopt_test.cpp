@@ -257,5 +257,13 @@ TEST(GltfMinimal, HasNoNamesNoCameraNoExtrasAndNoTexcoordsWithoutTexture) {
   EXPECT_EQ(parsed.root["scenes"][0]["nodes"], (json{0, 1}));
 }
 
+TEST(GltfMinimal, HasNoNamesWhereItMovesEither) {
+  const json root = glb(scene_text(R"("materials": {"m": {}})", kCup),
+                        {.turntable_seconds = 2, .grow_seconds = 3, .is_minimal = true})
+                        .root;
+  EXPECT_EQ(root["animations"].size(), 2u);
+  EXPECT_EQ(root.dump().find("\"name\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace sweepkit::scene

@@ -230,6 +230,20 @@ TEST(Grow, PlanesStandStillAndASceneOfThemAloneIsRefused) {
   }
 }
 
+TEST(Grow, IsRefusedBeforeTargetsOverTwoGibibytesAreMade) {
+  // 3 million vertices of 24 bytes a target: 30 of them are over.
+  const std::string helix = R"({"name": "x", "tessellation": {"contour": 1000, "trajectory": 3000}, "sweep": {
+      "contour": {"circle": {"radius": 0.1}}, "trajectory": {"helix": {"radius": 1, "pitch": 0.3, "turns": 5}}}})";
+  try {
+    glb(scene_text("", helix), {.grow_seconds = 5});
+    ADD_FAILURE() << "a file was made";
+  } catch (const InputError& error) {
+    EXPECT_NE(error.problem().find("morph targets, which would be over 2 GiB; ask for fewer cells"),
+              std::string::npos)
+        << error.problem();
+  }
+}
+
 TEST(Grow, IsRefusedWithVerticesThatAreQuantizedOrPacked) {
   for (const GltfOptions& options : {GltfOptions{.grow_seconds = 5, .is_quantized = true},
                                      GltfOptions{.grow_seconds = 5, .is_packed = true}}) {

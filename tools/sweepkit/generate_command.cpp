@@ -116,7 +116,7 @@ constexpr std::array<std::array<const char*, 2>, 14> kGltfOptions = {{
     {"--quantize", "quantized vertices"},
     {"--position-bits", "quantized vertices"},
     {"--meshopt", "packed vertices"},
-    {"--minimal", "names, cameras and extras"},
+    {"--minimal", ""},
     {"--turntable", "animation"},
     {"--grow", "animation"},
 }};
