@@ -167,6 +167,7 @@ std::optional<glm::dvec3> box_mean(const Pattern& pattern, const PatternFootprin
 double finest_detail(const Pattern& pattern) {
   const Procedural& given = pattern.given;
   // A joint, or what it leaves of a cell; none is no detail.
+  const double finest_octave = std::exp2(std::clamp(pattern.octaves.count, 1, 16) - 1);
   const auto joint = [](double width) { return width > 0 && width < 1 ? std::min(width, 1 - width) : 1.0; };
   switch (given.kind) {
     case ProceduralKind::kChecker:
@@ -177,8 +178,11 @@ double finest_detail(const Pattern& pattern) {
       return narrowest_band(pattern);
     case ProceduralKind::kBrick:
       return std::min(1.0, joint(given.mortar) / given.ratio);
+    case ProceduralKind::kWood:
+      // Two octaves of fibres, which cells_of() counts where there are any, on bent rings.
+      return 1 / std::max(2 * cells_of(given), 2 * finest_octave);
     default:
-      return std::exp2(1 - std::clamp(pattern.octaves.count, 1, 16)) / cells_of(given);
+      return 1 / (cells_of(given) * finest_octave);
   }
 }
 

@@ -23,8 +23,14 @@ namespace {
 constexpr int kMostLevels = 5;                  // a part is 1/32 of a texel at least
 constexpr int kNodes = (2 << kMostLevels) + 1;  // of corners and middles, along a side
 constexpr double kLevel = 1.0 / 255;
-constexpr double kMostDetails = 0.75;  // a texel's side, in details, where points do not alias
+constexpr double kStraight = 2;  // levels that neighbours may bend by: a kink is off by half a level
 constexpr int kParts = 16;
+
+// A texel's side, in details, up to which points tell its mean. Granite's edges are far steeper than its
+// noise, so that points are worth more there.
+double most_details(ProceduralKind kind) {
+  return kind == ProceduralKind::kGranite ? 0.75 : 0.5;
+}
 
 // What a level of an 8-bit file is at a colour: of its numbers, linear or sRGB, whichever is finer. The sRGB
 // curve's slope lies above the chord of its slopes at the ends.
@@ -52,13 +58,13 @@ TexelMeans::TexelMeans(const Procedural& procedural)
 TexelMeans::Way TexelMeans::way_of(const glm::dvec3& dx, const glm::dvec3& dy) const {
   if (is_of_steps(pattern_.given.kind) && box_mean(pattern_, {{}, dx, dy})) return Way::kBox;
   const double side = std::max(glm::length(dx), glm::length(dy));
-  return side < kMostDetails * detail_ ? Way::kPoints : Way::kParts;
+  return side < most_details(pattern_.given.kind) * detail_ ? Way::kPoints : Way::kParts;
 }
 
 std::optional<glm::dvec3> TexelMeans::smooth_mean(const std::array<const glm::dvec3*, 9>& around) {
   const glm::dvec3& middle = *around[4];
   for (std::size_t i = 0; i < 4; ++i) {
-    if (!is_straight(*around[i], *around[8 - i], middle, 1)) return std::nullopt;
+    if (!is_straight(*around[i], *around[8 - i], middle, kStraight)) return std::nullopt;
   }
   return middle + (*around[1] + *around[3] + *around[5] + *around[7] - 4.0 * middle) / 24.0;
 }
@@ -90,14 +96,19 @@ glm::dvec3 TexelMeans::divided(const PatternFootprint& texel, TexelScratch& scra
     }
     return scratch.colors_[index];
   };
+  // Ramps of noise are straight in smaller parts, steps never; and where two edges of a checker cross, a
+  // large part may have the same colour at all five points.
+  const bool has_steps = is_of_steps(pattern_.given.kind);
+  const int smallest = has_steps ? 2 : 4;
+  const int largest = (kNodes - 1) / (has_steps ? 4 : 2);  // the texel bends, as its neighbours have told
   const auto mean_of_part = [&](const auto& self, int i, int j, int size, double share) -> glm::dvec3 {
     const glm::dvec3& middle = node(i + size / 2, j + size / 2);
     const glm::dvec3& a = node(i, j);
     const glm::dvec3& b = node(i + size, j);
     const glm::dvec3& c = node(i, j + size);
     const glm::dvec3& d = node(i + size, j + size);
-    const bool is_whole = size == kNodes - 1;  // its neighbours have told that it bends
-    if (size == 2 || (!is_whole && is_straight(a, d, middle, share) && is_straight(b, c, middle, share))) {
+    if (size == smallest ||
+        (size <= largest && is_straight(a, d, middle, share) && is_straight(b, c, middle, share))) {
       return (2.0 * middle + 0.25 * (a + b + c + d)) / 3.0;
     }
     const int half = size / 2;
@@ -105,7 +116,7 @@ glm::dvec3 TexelMeans::divided(const PatternFootprint& texel, TexelScratch& scra
     return 0.25 * (self(self, i, j, half, more) + self(self, i + half, j, half, more) +
                    self(self, i, j + half, half, more) + self(self, i + half, j + half, half, more));
   };
-  return mean_of_part(mean_of_part, 0, 0, kNodes - 1, 1);
+  return mean_of_part(mean_of_part, 0, 0, kNodes - 1, has_steps ? 1 : 8);
 }
 
 // Each under a tent that stays inside it, so that an edge between texels stays sharp.
