@@ -148,6 +148,7 @@ class Batch {
       if (jobs_[row].file.empty()) return outcome;
       scene::GltfOptions options = command_.gltf;
       options.images = &images_;
+      options.threads = 1;  // rows are made side by side
       if (keeps_scene(command_, jobs_[row].file)) options.scene = scene_.text(settings);
       outcome.made = make_file(document, outcome.plan, jobs_[row].file, options, false);
     } catch (const InputError& error) {
