@@ -103,7 +103,7 @@ void add_bake(CLI::App& app) {
   sub.add_option(
          "--size", command->size,
          "Texels; without it 1024 on the longer side, the other as the object's lengths along u and v "
-         "ask for")
+         "ask for; strips have more along them")
       ->type_name("WxH");
   add_texel_density(sub, command->density)->excludes("--size");
   sub.add_option(

@@ -285,7 +285,7 @@ void add_generate(CLI::App& app) {
   sub.add_option(
          "--bake-size", command->gltf.bake_size,
          "Texels on the longer side of the image that a procedural texture becomes; the other follows "
-         "the object")
+         "the object, a sixteenth at least, and a strip longer than that has up to 4 N along it")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
