@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "pattern.hpp"
@@ -17,7 +18,7 @@ namespace sweepkit::texmap {
 namespace {
 
 #ifndef SWEEPKIT_BAKED_SIDE
-#define SWEEPKIT_BAKED_SIDE 6
+#define SWEEPKIT_BAKED_SIDE 4
 #endif
 constexpr int kSide = SWEEPKIT_BAKED_SIDE;
 constexpr int kPoints = 64;
@@ -88,12 +89,13 @@ double largest_error(const Procedural& procedural, double details) {
 }
 
 // `bound` levels, for texels of these sides.
-void expect_within(double bound, std::initializer_list<double> sides, bool with_granite = true) {
+void expect_within(double bound, std::initializer_list<double> sides,
+                   const std::function<bool(ProceduralKind)>& is_tested) {
   for (const double details : sides) {
     double worst = 0;
     for (std::size_t kind = 0; kind < kProceduralNames.size(); ++kind) {
       for (const ProceduralOn on : {ProceduralOn::kUv, ProceduralOn::kPosition}) {
-        if (!with_granite && static_cast<ProceduralKind>(kind) == ProceduralKind::kGranite) continue;
+        if (!is_tested(static_cast<ProceduralKind>(kind))) continue;
         // Not whole, so that (u,v) are laid out over the square as well.
         const double error =
             largest_error({.kind = static_cast<ProceduralKind>(kind), .on = on, .scale = 1.3}, details);
@@ -108,12 +110,17 @@ void expect_within(double bound, std::initializer_list<double> sides, bool with_
 
 // Neighbours may bend by 2 levels, which leaves half a level for a kink; edges in parts leave about as much.
 TEST(BakedMeans, AreWithinALevelWhereTexelsAreSmallerThanAFifthOfTheDetail) {
-  expect_within(1, {0.01, 0.05, 0.1, 0.2});
+  expect_within(1, {0.05, 0.2}, [](ProceduralKind) { return true; });
 }
 
 // Five points of a part no longer tell all of it.
 TEST(BakedMeans, AreWithinTwoLevelsUpToHalfTheDetailButForGranite) {
-  expect_within(2, {0.35, 0.49}, false);
+  expect_within(2, {0.35, 0.49}, [](ProceduralKind kind) { return kind != ProceduralKind::kGranite; });
+}
+
+// Its edges are a quarter of a finest cell wide.
+TEST(BakedMeans, OfGraniteAreWithinFiveLevelsUpToThreeQuartersOfTheDetail) {
+  expect_within(5, {0.35, 0.74}, [](ProceduralKind kind) { return kind == ProceduralKind::kGranite; });
 }
 
 TEST(BakedMeans, OfStepsAlongTheTexelsAreExactForAnySize) {
