@@ -220,6 +220,22 @@ TEST(StripOrder, TakesOneByteForATriangleOfAGrid) {
   EXPECT_LT(bytes, pack_triangles(mesh.triangles, mesh.positions.size()).size() + 1);
 }
 
+// Fourteen narrow patches between a star's corners, walked by rows of eight cells: two bytes for the start of a
+// line, and for each patch a first line that numbers two lines of vertices at once, at most four bytes a cell.
+TEST(StripOrder, TakesTwoBytesMoreForALineOfANarrowPatch) {
+  const std::string star =
+      R"({"name": "s", "tessellation": {"contour": 112, "trajectory": 96}, "sweep": {"caps": "none",
+          "contour": {"star": {"points": 7, "radius": 0.22, "inner_radius": 0.13}},
+          "trajectory": {"line": [[0, 0, 0], [0, 7, 0]]}, "twist_deg": 120}})";
+  const Document document = parse_document(scene_text("", star), "s.json");
+  const Model model = build(document, plan(document, {.product = Request::Product::kMeshFile}));
+  const MeshView& mesh = model.scene.meshes[0];
+  ASSERT_EQ(mesh.patches.size(), 14u);
+  const MeshOrder order = strip_order(mesh);
+  EXPECT_LE(pack_triangles(order.triangles, order.vertices.size()).size(),
+            mesh.triangles.size() + 2 * 14 * 96 + 4 * 14 * 8 + 17);
+}
+
 TEST(StripOrder, HasEveryTriangleOnceWithPolesCapsAndSeveralPatches) {
   for (const std::string& shape : {kCup, kTube, kFloor}) {
     const Document document = parse_document(scene_text(kMaterial, shape), "s.json");

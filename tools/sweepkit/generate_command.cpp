@@ -337,8 +337,8 @@ void add_generate(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(8, 16));
   sub.add_flag("--meshopt", command->gltf.is_packed,
-               "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know); with "
-               "--quantize smallest");
+               "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know), (u,v) only "
+               "where there is a texture; with --quantize smallest");
   sub.add_flag(
       "--minimal", command->gltf.is_minimal,
       "Only what shows the objects: no names, no camera, no extras (the file cannot be made again from "
