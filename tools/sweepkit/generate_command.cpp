@@ -78,9 +78,9 @@ void generate_one(const Generate& command) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
   }
-  if (!scene::is_mesh_name(output.file)) scene::check_gltf_size(document, command.gltf);
   // The file is put together in memory beside the meshes, and again as it is written.
   const scene::MemoryEstimate needed = scene::estimate_memory(document);
+  if (!scene::is_mesh_name(output.file)) scene::check_gltf_size(document, command.gltf);
   const std::uint64_t factor = memory_factor(output.file);
   require_memory(command.input.name(), needed, factor * needed.bytes);
   limit_triangles(document, factor * scene::kLeastBytesATriangle);
