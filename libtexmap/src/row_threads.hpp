@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace sweepkit::texmap {
 
 /// Calls make_worker()(first, end) for bands of the rows 0 to count - 1, each once, in so many threads (0: as
 /// many as the machine has); each thread makes a worker of its own. The first exception of any is thrown when
-/// all have ended. Where the system gives fewer threads, those that there are do the work.
+/// all have ended. Where the system gives fewer threads the work takes longer.
 template <class MakeWorker>
 void for_each_band(int count, int threads, const MakeWorker& make_worker) {
   constexpr int kRows = 16;  // few enough that all threads end together
@@ -38,6 +39,7 @@ void for_each_band(int count, int threads, const MakeWorker& make_worker) {
     try {
       for (int i = 1; i < std::min(threads, bands); ++i) others.emplace_back(work);
     } catch (const std::system_error&) {
+      // Those that there are do the work.
     }
     work();
   }

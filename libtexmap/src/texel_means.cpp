@@ -5,10 +5,10 @@
 // smaller than the pattern's detail, the colour at its middle is its mean but where the pattern bends: on
 // edges and veins, which a texel's neighbours tell. With d the second difference (a + b) / 2 - c along a line
 // of three texels, the mean is c + (d_x + d_y) / 12 for a parabola, and off by less than (d_x + d_y) / 4 for
-// a single kink. A texel that bends is divided into four, and those again, until a part is as straight as its
-// size allows; edges cross parts at random, so that the errors of the 1 / s parts of side s along an edge add
-// up as those of chance do, to s^(3/2) of a part's, and a part may be off by as much more. Where a texel
-// covers detail, points would alias: it is the mean of parts under footprints.
+// a single kink, by d_x + d_y for a step. A texel that bends is divided into four, and those again, until a
+// part is as straight as its size allows; edges cross parts at random, so that the errors of the 1 / s parts
+// of side s along an edge add up as those of chance do, to s^(3/2) of a part's, and a part may be off by as
+// much more. Where a texel covers detail, points would alias: it is the mean of parts under footprints.
 //
 // No straight edge crosses a part unseen: it has corners on both sides.
 
@@ -20,16 +20,21 @@
 namespace sweepkit::texmap {
 namespace {
 
-constexpr int kMostLevels = 5;                  // a part is 1/32 of a texel at least
+constexpr int kMostLevels = 5;                  // of parts in parts: 1/32 of a texel at least
 constexpr int kNodes = (2 << kMostLevels) + 1;  // of corners and middles, along a side
 constexpr double kLevel = 1.0 / 255;
-constexpr double kStraight = 2;  // levels that neighbours may bend by: a kink is off by half a level
 constexpr int kParts = 16;
 
 // A texel's side, in details, up to which points tell its mean. Granite's edges are far steeper than its
 // noise, so that points are worth more there.
 double most_details(ProceduralKind kind) {
   return kind == ProceduralKind::kGranite ? 0.75 : 0.5;
+}
+
+// Levels that neighbours may bend by in each direction: then a kink is off by one at most, and so is a step,
+// which lies between two neighbours only.
+double most_bend(ProceduralKind kind) {
+  return is_of_steps(kind) ? 1 : 2;
 }
 
 // What a level of an 8-bit file is at a colour: of its numbers, linear or sRGB, whichever is finer. The sRGB
@@ -61,10 +66,11 @@ TexelMeans::Way TexelMeans::way_of(const glm::dvec3& dx, const glm::dvec3& dy) c
   return side < most_details(pattern_.given.kind) * detail_ ? Way::kPoints : Way::kParts;
 }
 
-std::optional<glm::dvec3> TexelMeans::smooth_mean(const std::array<const glm::dvec3*, 9>& around) {
+std::optional<glm::dvec3> TexelMeans::smooth_mean(const std::array<const glm::dvec3*, 9>& around) const {
+  const double most = most_bend(pattern_.given.kind);
   const glm::dvec3& middle = *around[4];
   for (std::size_t i = 0; i < 4; ++i) {
-    if (!is_straight(*around[i], *around[8 - i], middle, kStraight)) return std::nullopt;
+    if (!is_straight(*around[i], *around[8 - i], middle, most)) return std::nullopt;
   }
   return middle + (*around[1] + *around[3] + *around[5] + *around[7] - 4.0 * middle) / 24.0;
 }

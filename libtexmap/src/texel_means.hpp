@@ -44,7 +44,7 @@ class TexelMeans {
 
   /// The mean over a texel whose middle is `around[4]`, of a texel's neighbours row by row: none where it
   /// bends too much to be told from them.
-  static std::optional<glm::dvec3> smooth_mean(const std::array<const glm::dvec3*, 9>& around);
+  std::optional<glm::dvec3> smooth_mean(const std::array<const glm::dvec3*, 9>& around) const;
 
   /// The mean over the texel that dx and dy span about `texel.at`.
   glm::dvec3 mean(Way way, const PatternFootprint& texel, TexelScratch& scratch) const;
