@@ -123,7 +123,7 @@ class RowPainter {
         }
       }
       if (known == around.size()) {
-        if (const auto smooth = means_.smooth_mean(around)) return *smooth;
+        if (const auto smooth = TexelMeans::smooth_mean(around)) return *smooth;
       }
     }
     return means_.mean(patch.way, patch.texel(x, y), scratch_);
