@@ -5,6 +5,9 @@
 // surfaces" (2007), for the width of a microfacet lobe that looks like a Blinn exponent n. A mirror of
 // Whitted's is perfectly sharp and its highlight is not; glTF has one roughness for both, so the sharper of
 // two guesses is taken. Glass is looked through, so that its highlight gives way to a clear view.
+//
+// What is mirrored is told by KHR_materials_specular. At right angles it is min(F0 colour, 1) factor, at the
+// edge it is factor: with colour 1 / F0 it is factor at every angle, as Whitted's is.
 
 #include "gltf_material.hpp"
 
@@ -33,6 +36,21 @@ float highlight_roughness(const Material& material) {
   return has_highlight ? std::pow(2 / (material.shininess + 2), 0.25f) : 1.0f;
 }
 
+// The share f of each colour at every angle; `mirror` is F0.
+void set_even_mirror(GltfMaterial& terms, const glm::vec3& share, float mirror) {
+  const float most = max_of(share);
+  terms.specular = most;
+  if (most > 0) terms.specular_color = share / most / mirror;
+}
+
+// A lobe of alpha = sqrt(2 / (n + 2)) is 1 / (pi alpha^2) high, so that a light of pi I (docs/gltf.md) sends
+// back f I / (4 alpha^2) in its middle; Whitted's highlight is specular I there.
+void set_highlight(GltfMaterial& terms, const Material& material) {
+  if (material.specular == glm::vec3(0.0f)) return;
+  const glm::vec3 share = 8.0f / (material.shininess + 2) * material.specular;
+  set_even_mirror(terms, glm::min(share, glm::vec3(1.0f)), kUsualMirror);
+}
+
 // What is mirrored, with `ior` already settled.
 void set_mirror(GltfMaterial& terms, const Material& material) {
   const float ior = terms.ior.value_or(kUsualIor);
@@ -44,7 +62,7 @@ void set_mirror(GltfMaterial& terms, const Material& material) {
   } else if (material.reflect == 0 || mirror == 0) {
     terms.specular = 0.0f;
   } else {
-    terms.specular_color = material.reflect / mirror;
+    set_even_mirror(terms, glm::vec3(material.reflect), mirror);
   }
 }
 
@@ -53,7 +71,10 @@ GltfMaterial opaque(const Material& material) {
   const bool has_fresnel = material.fresnel != Fresnel::kNone;
   const bool is_mirror = material.reflect > 0 && !(has_fresnel && material.ior == 1);
   GltfMaterial terms{.base_color = diffuse, .roughness = highlight_roughness(material)};
-  if (!is_mirror) return terms;
+  if (!is_mirror) {
+    set_highlight(terms, material);
+    return terms;
+  }
   if (!has_fresnel && material.reflect > max_of(diffuse)) {
     return {.base_color = glm::vec3(material.reflect), .metallic = 1, .roughness = 0};
   }

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <utility>
 
 #include "gltf_arrays.hpp"
 #include "gltf_material.hpp"
@@ -107,10 +109,32 @@ TEST(GltfMaterial, RoughnessIsTheFourthRootOfTheHighlight) {
   EXPECT_FLOAT_EQ(to_gltf(material(glm::vec3(0.5f), glm::vec3(1), 0, 0)).roughness, 1);
 }
 
-TEST(GltfMaterial, AShareReflectedIsACoatOfThatReflectance) {
+// What KHR_materials_specular mirrors at right angles and at the edge, where the index has this F0.
+std::pair<glm::vec3, glm::vec3> mirrored_shares(const GltfMaterial& terms, float f0) {
+  const float factor = terms.specular.value_or(1);
+  return {factor * glm::min(f0 * terms.specular_color.value_or(glm::vec3(1)), 1.0f), glm::vec3(factor)};
+}
+
+// Within float32's rounding of four products.
+void expect_even(const GltfMaterial& terms, float f0, const glm::vec3& share) {
+  const auto [middle, edge] = mirrored_shares(terms, f0);
+  for (glm::length_t k = 0; k < 3; ++k) EXPECT_NEAR(middle[k] / share[k], 1, 5e-7);
+  EXPECT_FLOAT_EQ(edge[0], std::max({share.r, share.g, share.b}));
+}
+
+// 1 / (4 alpha^2) of the share comes back in the middle, alpha^2 = 2 / (n + 2).
+TEST(GltfMaterial, AHighlightIsAsHighAsWhitteds) {
+  const glm::vec3 specular(0.6f, 0.48f, 0.22f);
+  const GltfMaterial terms = to_gltf(material(glm::vec3(0.5f), specular, 120, 0));
+  expect_even(terms, 0.04f, specular * (8.0f / 122));
+  EXPECT_EQ(*to_gltf(material(glm::vec3(0.5f), glm::vec3(1), 0, 0)).specular, 1) << "no more than all";
+  EXPECT_FALSE(to_gltf(material(glm::vec3(0.5f), specular, 120, 0), GltfLook::kCompatible).specular);
+}
+
+TEST(GltfMaterial, AShareReflectedIsTheSameAtEveryAngle) {
   const GltfMaterial terms = to_gltf(material(glm::vec3(0.8f), glm::vec3(0), 50, 0.3f));
   EXPECT_EQ(terms.metallic, 0);
-  EXPECT_FLOAT_EQ(terms.specular_color.value() * 0.04f, 0.3f);
+  expect_even(terms, 0.04f, glm::vec3(0.3f));
   EXPECT_LE(terms.roughness, 0.25f);
 }
 
@@ -185,9 +209,9 @@ TEST(GltfMaterial, WithoutFresnelGlassMirrorsItsShare) {
   Material material = glass(0.6f, 1.5f);
   material.fresnel = Fresnel::kNone;
   material.reflect = 0.2f;
-  EXPECT_FLOAT_EQ(to_gltf(material).specular_color.value() * 0.04f, 0.2f);
-  material.ior = 2;  // F0 = 1/9
-  EXPECT_FLOAT_EQ(to_gltf(material).specular_color.value() / 9, 0.2f);
+  expect_even(to_gltf(material), 0.04f, glm::vec3(0.2f));
+  material.ior = 2;
+  expect_even(to_gltf(material), 1.0f / 9, glm::vec3(0.2f));
   material.reflect = 0;
   EXPECT_EQ(to_gltf(material).specular, 0.0f);
 }
