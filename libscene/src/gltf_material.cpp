@@ -51,6 +51,23 @@ void set_highlight(GltfMaterial& terms, const Material& material) {
   set_even_mirror(terms, glm::min(share, glm::vec3(1.0f)), kUsualMirror);
 }
 
+// Of what mirrors `share` of the light. A lobe of f A / (4 (S + A C)^2), A = alpha^2, S = sin^2 and C = cos^2
+// of the angle where Whitted's highlight is half as high as in its middle, has the same height s / 2 there
+// for 2 s C^2 A^2 - (f - 4 s S C) A + 2 s S^2 = 0: the smaller root is higher in its middle, and a sharper
+// mirror.
+float mirror_roughness(const Material& material, float share) {
+  constexpr float kSharp = 0.25f;  // a reflection that can still be read
+  const float height = max_of(material.specular);
+  if (!(height > 0)) return 0;
+  const float cosine2 = std::pow(0.5f, 2 / material.shininess);
+  const float sine2 = 1 - cosine2;
+  const float most = height * sine2 * cosine2;
+  if (!(share > 8 * most)) return kSharp;
+  const float alpha2 =
+      4 * height * sine2 * sine2 / (share - 4 * most + std::sqrt(share * (share - 8 * most)));
+  return std::min(std::pow(alpha2, 0.25f), kSharp);
+}
+
 // What is mirrored, with `ior` already settled.
 void set_mirror(GltfMaterial& terms, const Material& material) {
   const float ior = terms.ior.value_or(kUsualIor);
@@ -78,12 +95,13 @@ GltfMaterial opaque(const Material& material) {
   if (!has_fresnel && material.reflect > max_of(diffuse)) {
     return {.base_color = glm::vec3(material.reflect), .metallic = 1, .roughness = 0};
   }
-  constexpr float kSharp = 0.25f;  // a reflection that can still be read
-  terms.roughness = std::min(terms.roughness, kSharp);
+  float share = material.reflect;
   if (has_fresnel) {
     const float ior = std::max(material.ior, 1 / material.ior);
     if (ior != kUsualIor) terms.ior = ior;
+    share *= mirror_of(ior);
   }
+  terms.roughness = mirror_roughness(material, share);
   set_mirror(terms, material);
   return terms;
 }

@@ -49,7 +49,9 @@ struct GltfBody {
 ///               as for a mirror of r = 8 specular / (n + 2), at most 1
 ///   mirror      r > d: metallic 1, base colour r. Else metallic 0, base colour d, and r at every angle by
 ///               KHR_materials_specular: factor r, colour 1 / F0, where F0 = ((ior - 1) / (ior + 1))^2,
-///               0.04 unless said. By Fresnel: factor r, and KHR_materials_ior
+///               0.04 unless said. By Fresnel: factor r, and KHR_materials_ior. Roughness 0 without a
+///               highlight; else such that the highlight is as wide as Whitted's where that is half
+///               as high as in its middle, at most 0.25
 ///   glass       base colour d + t, transmission t / (t + mean d): what is scattered comes to d and what goes
 ///               through to t where d is grey. Roughness 0
 ///   volume      of closed glass that refracts or absorbs: attenuation distance D = 1 / max sigma,
