@@ -135,16 +135,45 @@ GltfMaterial glass(const Material& material, const GltfBody& body) {
   return terms;
 }
 
-// Over a background b it looks alpha * base + (1 - alpha) b; Whitted's looks d + through * b. Equal in alpha
-// where through is grey; where it is not, alpha is what the darkest channel needs, and over white the colour
-// is equal.
+// What looks D + T b over every grey b, as nearly as o + s b can, o >= 0 for each colour and s for all: the
+// least sum of squares over b from black to white. There o = max(D + (T - s) / 2, 0), and s is a mean, of T
+// where o is not 0 and, weighing four times as much, of T + 3 D / 2 where it is. The first s is too large, if
+// not right; each next one is smaller and leaves no more than three sets of colours to go through.
+float share_behind(const glm::vec3& own, const glm::vec3& through) {
+  float share = (through.r + through.g + through.b) / 3;
+  for (int pass = 0; pass < 3; ++pass) {
+    float sum = 0;
+    float weights = 0;
+    for (glm::length_t k = 0; k < 3; ++k) {
+      const bool is_over_black = own[k] + 0.5f * (through[k] - share) > 0;
+      const float weight = is_over_black ? 1 : 4;
+      sum += weight * (is_over_black ? through[k] : through[k] + 1.5f * own[k]);
+      weights += weight;
+    }
+    share = sum / weights;
+  }
+  return share;
+}
+
+// Of a body only the walls are drawn by which a ray enters it. Each stands for that by which the ray comes
+// out as well, which scatters and dims once more: with w what a wall and a what the way between lets through
+// it is d + w a (d + w b). Of ways inside the mean x is known; of their lengths' law, which differs from body
+// to body, it is taken that it is exponential, whose mean of exp(-sigma length) is 1 / (1 + sigma x).
 GltfMaterial blended(const Material& material, const GltfBody& body) {
   const float mirror = material.fresnel == Fresnel::kNone ? 0 : mirror_of(material.ior);
-  const auto metres = static_cast<float>(body.thickness.value_or(0) * body.scale);
-  const glm::vec3 through = material.transmit * (1 - mirror) * glm::exp(-material.absorption * metres);
-  const float least = std::min({through.r, through.g, through.b});
-  GltfMaterial terms{.alpha = 1 - least, .roughness = highlight_roughness(material)};
-  terms.base_color = least < 1 ? (material.diffuse + through - least) / (1 - least) : glm::vec3(0.0f);
+  const float wall = material.transmit * (1 - mirror);
+  glm::vec3 own = material.diffuse;
+  glm::vec3 through(wall);
+  if (body.thickness) {
+    const auto metres = static_cast<float>(*body.thickness * body.scale);
+    const glm::vec3 behind = wall / (1.0f + material.absorption * metres);
+    own += behind * material.diffuse;
+    through *= behind;
+  }
+  const float share = share_behind(own, through);
+  GltfMaterial terms{.alpha = 1 - share, .roughness = highlight_roughness(material)};
+  own = glm::max(own + 0.5f * (through - share), 0.0f);
+  terms.base_color = share < 1 ? own / (1 - share) : glm::vec3(0.0f);
   terms.is_double_sided = !body.thickness;
   return terms;
 }

@@ -56,7 +56,8 @@ struct GltfBody {
 ///               through to t where d is grey. Roughness 0
 ///   volume      of closed glass that refracts or absorbs: attenuation distance D = 1 / max sigma,
 ///               colour exp(-sigma D)
-/// GltfLook::kUnlit and kCompatible blend glass instead: over white it looks as Whitted's does.
+/// GltfLook::kUnlit and kCompatible blend glass instead: over greys it looks as Whitted's does, as nearly as
+/// one alpha can; a wall of a body stands for the one behind it as well.
 GltfMaterial to_gltf(const Material& material, GltfLook look = GltfLook::kFull, const GltfBody& body = {});
 
 }  // namespace sweepkit::scene
