@@ -7,7 +7,9 @@
 // two guesses is taken. Glass is looked through, so that its highlight gives way to a clear view.
 //
 // What is mirrored is told by KHR_materials_specular. At right angles it is min(F0 colour, 1) factor, at the
-// edge it is factor: with colour 1 / F0 it is factor at every angle, as Whitted's is.
+// edge it is factor: colour 1 / F0 and factor r would be r at every angle, as Whitted's is. But there are
+// readers that pass over the factor (Blender 3.4), to whom that is a perfect mirror; colour r / F0 says r to
+// all.
 
 #include "gltf_material.hpp"
 
@@ -36,19 +38,12 @@ float highlight_roughness(const Material& material) {
   return has_highlight ? std::pow(2 / (material.shininess + 2), 0.25f) : 1.0f;
 }
 
-// The share f of each colour at every angle; `mirror` is F0.
-void set_even_mirror(GltfMaterial& terms, const glm::vec3& share, float mirror) {
-  const float most = max_of(share);
-  terms.specular = most;
-  if (most > 0) terms.specular_color = share / most / mirror;
-}
-
 // A lobe of alpha = sqrt(2 / (n + 2)) is 1 / (pi alpha^2) high, so that a light of pi I (docs/gltf.md) sends
 // back f I / (4 alpha^2) in its middle; Whitted's highlight is specular I there.
 void set_highlight(GltfMaterial& terms, const Material& material) {
   if (material.specular == glm::vec3(0.0f)) return;
   const glm::vec3 share = 8.0f / (material.shininess + 2) * material.specular;
-  set_even_mirror(terms, glm::min(share, glm::vec3(1.0f)), kUsualMirror);
+  terms.specular_color = glm::min(share, glm::vec3(1.0f)) / kUsualMirror;
 }
 
 // Of what mirrors `share` of the light. A lobe of f A / (4 (S + A C)^2), A = alpha^2, S = sin^2 and C = cos^2
@@ -79,7 +74,7 @@ void set_mirror(GltfMaterial& terms, const Material& material) {
   } else if (material.reflect == 0 || mirror == 0) {
     terms.specular = 0.0f;
   } else {
-    set_even_mirror(terms, glm::vec3(material.reflect), mirror);
+    terms.specular_color = glm::vec3(material.reflect / mirror);
   }
 }
 

@@ -45,13 +45,13 @@ struct GltfBody {
 
 /// With n for shininess, d diffuse, r reflect, t transmit, sigma absorption (docs/gltf.md derives them):
 ///   highlight   roughness = (2 / (n + 2))^(1/4): alpha = sqrt(2 / (n + 2)) [Walter07], which glTF squares;
-///               1 without highlight or mirror. Without a mirror its height is Whitted's: factor and colour
-///               as for a mirror of r = 8 specular / (n + 2), at most 1
-///   mirror      r > d: metallic 1, base colour r. Else metallic 0, base colour d, and r at every angle by
-///               KHR_materials_specular: factor r, colour 1 / F0, where F0 = ((ior - 1) / (ior + 1))^2,
-///               0.04 unless said. By Fresnel: factor r, and KHR_materials_ior. Roughness 0 without a
-///               highlight; else such that the highlight is as wide as Whitted's where that is half
-///               as high as in its middle, at most 0.25
+///               1 without highlight or mirror. Without a mirror its height is Whitted's: a mirror of
+///               8 specular / (n + 2) of each colour, at most 1
+///   mirror      r > d: metallic 1, base colour r. Else metallic 0, base colour d, and r at right angles by
+///               KHR_materials_specular: colour r / F0, where F0 = ((ior - 1) / (ior + 1))^2, 0.04 unless
+///               said. By Fresnel: factor r, and KHR_materials_ior. Roughness 0 without a highlight; else
+///               such that the highlight is as wide as Whitted's where that is half as high as in its
+///               middle, at most 0.25
 ///   glass       base colour d + t, transmission t / (t + mean d): what is scattered comes to d and what goes
 ///               through to t where d is grey. Roughness 0
 ///   volume      of closed glass that refracts or absorbs: attenuation distance D = 1 / max sigma,

@@ -100,9 +100,9 @@ function mirrorLaws({specular = [0], shininess = 50, reflect = 0, ior = 1, fresn
     const ours = (angle) => reflect * (fresnel === 'exact' ? fresnelExact(angle, ior) : schlick({f0, f90: 1}, Math.cos(angle)));
     return {ours, glTF: {f0: reflect * f0, f90: reflect}};
   }
-  const even = reflect > 0 ? reflect : Math.min(1, 8 * specular[0] / (shininess + 2));
-  const isMatt = even === 0 && transmit === 0;
-  const glTF = metal !== null ? {f0: metal, f90: 1} : isMatt ? {f0: 0.04, f90: 1} : {f0: even, f90: even};
+  const coat = reflect > 0 ? reflect : Math.min(1, 8 * specular[0] / (shininess + 2));
+  const isClear = transmit > 0 && reflect === 0;
+  const glTF = isClear ? {f0: 0, f90: 0} : {f0: (metal ?? coat) || 0.04, f90: 1};
   return {ours: () => reflect, glTF};
 }
 
@@ -193,7 +193,7 @@ async function measureHighlights(page, urlOf, materials) {
     const turned = (x) => Math.abs(places[Math.min(x + 1, kAcross - 1)].normal[0] - places[Math.max(x - 1, 0)].normal[0]) / 2;
     [0, 1, 2].forEach((k) => {
       const f = reflect > 0 ? reflect : Math.min(1, 8 * specular[k] / (shininess + 2));
-      const law = shapeOf(places, places.map((place, x) => glint(place, Math.max(roughness, kLeastRoughness) + turned(x), {f0: f, f90: f})),
+      const law = shapeOf(places, places.map((place, x) => glint(place, Math.max(roughness, kLeastRoughness) + turned(x), {f0: f, f90: 1})),
                           specular[k] / 2);
       const found = shapeOf(places, across(theirs, k), specular[k] / 2);
       // Light that meets two microfacets, mirrored by each: at most f f of what misses the eye by one on both ways.
