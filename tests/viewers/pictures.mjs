@@ -3,7 +3,7 @@
 //
 // Picture against picture: what three.js draws of the --unlit .glb of a sample, with the file's own camera and
 // materials, against what `sweepkit render` draws of the scene with an ambient light of 1 and no other, which is
-// each surface's own colour. By default the samples of kUsual, with the word "all" every sample but those of kLeftOut.
+// each surface's own colour. By default the samples of kUsual, with the word "all" every sample.
 //   - mean FLIP at most kMostFlip;
 //   - silhouettes overlap by at least kLeastOverlap (intersection over union): all that is drawn, and the objects that
 //     are no planes, which are in front.
@@ -27,8 +27,6 @@ const kMostFlip = 0.05;
 const kMostTintedFlip = 0.08;
 const kLeastOverlap = 0.99;
 const kUsual = ['vase_and_cup', 'moebius_band', 'rope', 'seashell', 'semi_transparent', 'texture_coordinates'];
-// Its strips of 200 m are more than a baked image of 1024 texels holds sharply: 0.0519 (docs/gltf.md).
-const kLeftOut = ['procedurals'];
 const kBackground = [0.5, 0.5, 0.5];
 
 // A wall between two media shows as the file's blended one does where it neither mirrors nor bends.
@@ -83,7 +81,7 @@ await withThree(out, async (page, urlOf) => {
   console.log('sample, mean FLIP, overlap of all, overlap of what stands before planes');
   for (const sceneFile of scenesIn(sampleScenes)) {
     const name = basename(sceneFile, '.json');
-    if (extent === 'all' ? kLeftOut.includes(name) : !kUsual.includes(name)) continue;
+    if (extent !== 'all' && !kUsual.includes(name)) continue;
     const scene = JSON.parse(uncommented(readFileSync(sceneFile, 'utf8')));
     const {width = 512, height = 512} = scene.camera ?? {};
     const colors = Object.fromEntries(scene.objects.map((object) => [object.name, object.plane ? [0, 0, 0] : [1, 1, 1]]));

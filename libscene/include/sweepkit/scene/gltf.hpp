@@ -61,6 +61,7 @@ struct GltfOptions {
   /// read_gltf_source() finds them. Empty: nothing is kept.
   std::string scene;
   ImageStore* images = nullptr;  ///< keeps encoded and baked images for the files to come
+  int threads = 0;               ///< that bake a texture; 0: as many as the machine has. The file is the same
 };
 
 struct NamedBytes {
