@@ -27,9 +27,10 @@ inline constexpr double kMostDensity = 1e9;    ///< a texel for a nanometre
 /// Texels across and down for that texture of the object. Without a density the longer side has `size` and
 /// the other one as many as the surface's lengths along u and v ask for, a sixteenth at least: a rope's
 /// pattern is to be seen across it as well. Then texels would be long: of a surface more than 16 times as
-/// long as wide the longer side has as many more as keep them square, up to 4 times `size` and to `most`. With a density each side has its length times the density,
-/// rounded to nearest, 1 at least; where a side would be over `most` both are made smaller alike. A texture
-/// that is laid out area by area has room for the largest in each place, and for the gutter.
+/// long as wide the longer side has as many more as keep them square, up to 4 times `size` and to `most`.
+/// With a density each side has its length times the density, rounded to nearest, 1 at least; where a side
+/// would be over `most` both are made smaller alike. A texture that is laid out area by area has room for
+/// the largest in each place, and for the gutter.
 glm::ivec2 bake_size_of(const MeshView& mesh, const glm::dmat3& world_from_object,
                         const texmap::Texture& texture, const BakeSize& wanted);
 
