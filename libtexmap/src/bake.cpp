@@ -99,7 +99,10 @@ class RowPainter {
   };
   using Row = std::vector<Middle>;  // with a texel more on both sides
 
-  Row& row(int y) { return rows_[static_cast<std::size_t>(y + 3) % rows_.size()]; }
+  Row& row(int y) {
+    const int slot = (y + 3) % 3;
+    return rows_[static_cast<std::size_t>(slot)];
+  }
 
   void look_at(int y) {
     Row& middles = row(y);
