@@ -99,10 +99,7 @@ class RowPainter {
   };
   using Row = std::vector<Middle>;  // with a texel more on both sides
 
-  Row& row(int y) {
-    const int slot = (y + 3) % 3;
-    return rows_[static_cast<std::size_t>(slot)];
-  }
+  Row& row(int y) { return rows_[static_cast<std::size_t>(y + 3) % rows_.size()]; }
 
   void look_at(int y) {
     Row& middles = row(y);
@@ -120,8 +117,8 @@ class RowPainter {
       std::array<const glm::dvec3*, 9> around;
       std::size_t known = 0;
       for (int j = -1; j <= 1; ++j) {
-        for (int i = 0; i <= 2; ++i) {
-          const Middle& middle = row(y + j)[static_cast<std::size_t>(x + i)];
+        for (std::size_t i = 0; i <= 2; ++i) {
+          const Middle& middle = row(y + j)[static_cast<std::size_t>(x) + i];
           if (middle.patch != nullptr && middle.patch->area == patch.area) around[known++] = &middle.color;
         }
       }
