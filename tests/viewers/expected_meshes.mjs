@@ -40,6 +40,13 @@ function readPly(file, vertexCounts, triangleCounts) {
   return boxes;
 }
 
+// A plane more than 16 times as long as wide has up to four times as many texels along it.
+function bakedSize(objects, name, bakeSize) {
+  const [x, z] = objects.find((object) => object.name === name).plane?.size ?? [1, 1];
+  const longer = bakeSize * Math.min(4, Math.max(1, Math.max(x / z, z / x) / 16));
+  return [longer, longer];
+}
+
 /**
  * Each instance of each object in the scene's order: {name, triangles, min, max, material, texture}. The material is
  * what the scene says of it; the texture is its size, or null.
@@ -58,7 +65,7 @@ export function expectedMeshes(program, sceneFile, folder, bakeSize) {
     return {
       name: object.object, triangles: object.triangles, ...boxes[i],
       material: {name: object.material ?? 'default', ...(scene.materials?.[object.material] ?? {})},
-      texture: texture ? (texture.kind === 'image' ? [texture.width, texture.height] : [bakeSize, bakeSize]) : null,
+      texture: texture ? (texture.kind === 'image' ? [texture.width, texture.height] : bakedSize(scene.objects, object.object, bakeSize)) : null,
     };
   });
 }

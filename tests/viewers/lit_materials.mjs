@@ -247,7 +247,7 @@ const named = (materials, ...names) => materials.filter(([name]) => names.includ
 
 if (isCycles) {
   await measureMirrors(null, null, named(mirrors, 'd 0.5, r 0.1', 'd 0.5, r 0.3', 'd 0.5, r 0.9', 'r 1, exact, ior 1.5', 'vase_and_cup: porcelain'));
-  await measureHighlights(null, null, [...[20, 80, 300].map(shiny), ...named(shining, 'column: marble', 'spring: steel')]);
+  await measureHighlights(null, null, [...[20, 80, 300].map(shiny), ...named(shining, 'star_to_circle: clay', 'spring: steel')]);
 } else {
   await withThree(out, async (page, urlOf) => {
     await measureMirrors(page, urlOf, mirrors);
