@@ -40,9 +40,12 @@ function readPly(file, vertexCounts, triangleCounts) {
   return boxes;
 }
 
-// A plane more than 16 times as long as wide has up to four times as many texels along it.
-function bakedSize(objects, name, bakeSize) {
-  const [x, z] = objects.find((object) => object.name === name).plane?.size ?? [1, 1];
+// A plane more than 16 times as long as wide has up to four times as many texels along it, but of what repeats there is
+// one repeat.
+const kRepeating = ['checker', 'tiles', 'bands', 'brick'];
+function bakedSize(scene, {object: name}, texture, bakeSize) {
+  if (kRepeating.includes(scene.textures[texture].procedural)) return [bakeSize, bakeSize];
+  const [x, z] = scene.objects.find((object) => object.name === name).plane?.size ?? [1, 1];
   const longer = bakeSize * Math.min(4, Math.max(1, Math.max(x / z, z / x) / 16));
   return [longer, longer];
 }
@@ -65,7 +68,7 @@ export function expectedMeshes(program, sceneFile, folder, bakeSize) {
     return {
       name: object.object, triangles: object.triangles, ...boxes[i],
       material: {name: object.material ?? 'default', ...(scene.materials?.[object.material] ?? {})},
-      texture: texture ? (texture.kind === 'image' ? [texture.width, texture.height] : bakedSize(scene.objects, object.object, bakeSize)) : null,
+      texture: texture ? (texture.kind === 'image' ? [texture.width, texture.height] : bakedSize(scene, object, materials.get(object.material).texture, bakeSize)) : null,
     };
   });
 }
