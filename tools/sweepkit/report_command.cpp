@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "page_template.hpp"
+#include "progress.hpp"
+#include "sweepkit/error.hpp"
+#include "sweepkit/report/plot_drawer.hpp"
+#include "sweepkit/report/report.hpp"
+#include "sweepkit/scene/output_file.hpp"
+
+namespace sweepkit::tools {
+namespace {
+
+constexpr const char* kPage = "sweepkit-report.html";
+constexpr const char* kPlots = "sweepkit-plots.js";
+constexpr const char* kPurpose = "to report on";
+
+struct ReportCommand {
+  Output output;  ///< its file is the folder
+  bool is_quick = false;
+  std::vector<std::string> only;
+};
+
+std::string names() {
+  std::string all;
+  for (const report::Runnable& one : report::runnables()) all += (all.empty() ? "" : ", ") + one.name;
+  return all;
+}
+
+std::vector<report::Runnable> chosen(const std::vector<std::string>& only) {
+  if (only.empty()) return report::runnables();
+  std::vector<report::Runnable> runnables;
+  for (const report::Runnable& one : report::runnables()) {
+    if (std::find(only.begin(), only.end(), one.name) != only.end()) runnables.push_back(one);
+  }
+  return runnables;
+}
+
+// The folder is made where the one it is in is there.
+void prepare_folder(const std::filesystem::path& folder) {
+  if (folder.empty()) throw InputError("-o FOLDER is needed");
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    scene::check_output(folder);
+    std::filesystem::create_directory(folder, error);
+    if (error) throw OutputError(folder.string() + ": cannot be made: " + error.message());
+  }
+  scene::check_output(folder / "index.html");
+}
+
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", std::gmtime(&time));
+  return text;
+}
+
+report::Report measure(const ReportCommand& command) {
+  report::Report made{.version = SWEEPKIT_VERSION,
+                      .date = now(),
+                      .is_quick = command.is_quick,
+                      .machine = report::this_machine()};
+  Progress progress(command.output.is_quiet);
+  const std::function<void(double)> bar = progress.callback();
+  const std::vector<report::Runnable> runnables = chosen(command.only);
+  for (std::size_t i = 0; i < runnables.size(); ++i) {
+    report::Effort effort{.is_quick = command.is_quick};
+    if (bar) {
+      effort.on_progress = [&, i](double done) {
+        bar((static_cast<double>(i) + done) / static_cast<double>(runnables.size()));
+      };
+    }
+    effort.tell(0);
+    made.experiments.push_back(runnables[i].run(effort));
+  }
+  return made;
+}
+
+void run_report(const ReportCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::filesystem::path folder = command.output.file;
+  const std::string page_template = read_bundled(kPage, kPurpose);
+  report::PlotDrawer drawer(read_bundled(kPlots, kPurpose));
+  prepare_folder(folder);
+  const report::Report made = measure(command);
+
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (const report::Experiment& experiment : made.experiments) {
+    texts.emplace_back(experiment.name + ".csv", report::to_csv(experiment.table));
+    for (const report::Plot& plot : experiment.plots) {
+      texts.emplace_back(plot.name + ".svg", drawer.svg(report::plot_json(experiment, plot)));
+    }
+  }
+  texts.emplace_back("report.json", report::to_json(made));
+  const std::vector<std::pair<std::string, std::string>> marks = {
+      {"@GENERATOR@", "sweepkit " SWEEPKIT_VERSION}, {"@REPORT@", json_in_html(report::to_json(made, true))}};
+  texts.emplace_back("index.html", fill_marks(page_template, kPage, marks));
+
+  std::vector<scene::OutputFile> files;
+  for (const auto& [name, text] : texts) files.push_back({folder / name, std::as_bytes(std::span(text))});
+  scene::write_files(files);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  say((folder / "index.html").string() + ": " + std::to_string(made.experiments.size()) + " experiments in " +
+          duration_text(seconds),
+      command.output);
+}
+
+}  // namespace
+
+void add_report(CLI::App& app) {
+  const auto command = std::make_shared<ReportCommand>();
+  CLI::App& sub =
+      *app.add_subcommand("report", "Measure error against run time on this machine, as a page with plots");
+  sub.add_option("-o", command->output.file,
+                 "The folder for index.html, plots and tables; made where it is missing")
+      ->type_name("FOLDER");
+  sub.add_flag("--quick", command->is_quick, "Under a minute, with fewer settings and shorter runs");
+  sub.add_option("--only", command->only, "This experiment alone: " + names() + "; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember([] {
+        std::vector<std::string> all;
+        for (const report::Runnable& one : report::runnables()) all.push_back(one.name);
+        return all;
+      }()))
+      ->description("This experiment alone: " + names() + "; may be repeated");
+  add_quiet(sub, command->output);
+  sub.footer(
+      "The page needs no network. Each plot is also an SVG file, each table a CSV file, and all of it is in\n"
+      "report.json.\n\n"
+      "Example:\n  sweepkit report --quick -o report");
+  sub.callback([command] { run_report(*command); });
+}
+
+}  // namespace sweepkit::tools
