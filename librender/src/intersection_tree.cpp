@@ -37,6 +37,7 @@ TreeBuilder::TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, con
     : scene_(scene),
       tracer_(tracer),
       needs_texcoords_(plan.needs_part(scene::Part::kTexcoords)),
+      leaves_out_(plan.leaves_out),
       needs_trees_(plan.needs_part(scene::Part::kTrees)),
       needs_refractions_(plan.needs_part(scene::Part::kRefractions)),
       needs_shares_(plan.needs_part(scene::Part::kShares)),
@@ -72,7 +73,7 @@ std::int32_t TreeBuilder::add_node(TreeRow& row, const Hit& hit, const Ray& ray,
   if (needs_refractions_) row.refractions.push_back(kNotTraced);
   if (needs_shares_) row.shares.emplace_back();
   if (needs_texcoords_) {
-    const bool is_textured = material.texture.has_value();
+    const bool is_textured = material.texture.has_value() || !leaves_out_;
     row.texcoords.push_back(is_textured ? texcoord_of(hit) : glm::dvec2(0.0));
     counts.texcoords += is_textured ? 1 : 0;
   }

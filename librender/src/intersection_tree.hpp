@@ -108,6 +108,7 @@ class TreeBuilder {
   const scene::Scene& scene_;
   const Tracer& tracer_;
   bool needs_texcoords_;
+  bool leaves_out_;  // (u,v) of what has no texture
   bool needs_trees_;
   bool needs_refractions_;
   bool needs_shares_;

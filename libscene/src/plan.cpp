@@ -50,6 +50,29 @@ Usage usage_of(const Document& document) {
   return usage;
 }
 
+// Those that a picture may do without, and that leave it as it is. (Tables and tiles are made as a filter
+// reads them, what was not asked for - layers, more rays - would change what is drawn, and how textures that
+// are there are looked up is settled.)
+void switch_on(Plan& plan, const Usage& usage, bool has_light, const Document& document) {
+  const auto row = [&](Part part) {
+    Need& need = plan.needs[static_cast<std::size_t>(part)];
+    if (!need.is_needed) need = {true, need.why + "; nothing is to be left out"};
+  };
+  for (const Part part : {Part::kHalfEdges, Part::kTexcoords, Part::kRows, Part::kTrees, Part::kRefractions,
+                          Part::kShares, Part::kObjectTree}) {
+    row(part);
+  }
+  if (!usage.has_texture) {
+    row(Part::kFilteredNodes);
+    row(Part::kDifferentials);
+  }
+  if (usage.has_mesh_file) row(Part::kLayouts);
+  if (has_light) row(Part::kDimmedShadows);
+  if (!document.textures.empty()) row(Part::kTextures);
+  plan.textures.assign(document.textures.size(), true);
+  plan.leaves_out = false;
+}
+
 }  // namespace
 
 std::string_view part_name(Part part) {
@@ -179,10 +202,11 @@ Plan plan(const Document& document, const Request& request) {
   plan.texture_memory = request.texture_memory;
   if (!can_hold_textures) usage.textures.assign(document.textures.size(), false);
   plan.textures = usage.textures;
+  if (is_picture && !request.leaves_out) switch_on(plan, usage, has_light, document);
   plan.sampled.assign(document.textures.size(), false);
   for (std::size_t i = 0; i < document.textures.size(); ++i) {
     plan.sampled[i] =
-        is_picture && usage.textures[i] && std::holds_alternative<ImageEntry>(document.textures[i].source);
+        is_picture && plan.textures[i] && std::holds_alternative<ImageEntry>(document.textures[i].source);
   }
   return plan;
 }

@@ -41,6 +41,7 @@ struct Render {
   std::string frames;
   int frames_per_turn = 0;
   bool skips_existing = false;
+  bool leaves_nothing_out = false;
   bool is_progressive = false;
   std::string statistics;   // a file
   std::string key_options;  // the options that change the picture, in one text

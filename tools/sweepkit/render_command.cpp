@@ -90,7 +90,8 @@ scene::Plan make_plan(const Render& command, const scene::Document& document) {
                                 .shows_texcoords = std::ranges::find(options.layers, render::Layer::kUv) !=
                                                    options.layers.end(),
                                 .has_neighbours = options.footprint != render::Footprint::kDifferentials,
-                                .has_differentials = options.footprint != render::Footprint::kNeighbours});
+                                .has_differentials = options.footprint != render::Footprint::kNeighbours,
+                                .leaves_out = !command.leaves_nothing_out});
 }
 
 // Gives the jobs their marks, and takes those out whose files are there already with the same.

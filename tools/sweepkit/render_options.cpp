@@ -144,6 +144,10 @@ void add_render_options(CLI::App& sub, Render& command) {
                  "Write counters, times and memory by phase, and the plan as JSON")
       ->type_name("FILE");
   add_explain(sub, command.output);
+  sub.add_flag(
+      "--no-leave-out", command.leaves_nothing_out,
+      "Switch on every part that the picture can do without; it is the same, and --explain and --stats tell "
+      "what leaving out saves");
   add_json(sub, command.output, "Print the table of --explain as JSON")->needs(sub.get_option("--explain"));
   add_quiet(sub, command.output);
   sub.footer(
@@ -158,10 +162,10 @@ void add_render_options(CLI::App& sub, Render& command) {
 }
 
 std::string options_of_picture(const CLI::App& sub) {
-  static constexpr std::array<std::string_view, 16> kNotOfThePicture = {
-      "SCENE",         "--set",  "-o",        "--quiet",         "--explain",         "--json",
-      "--stats",       "--crop", "--tile",    "--frames",        "--frames-per-turn", "--skip-existing",
-      "--progressive", "--help", "--threads", "--texture-memory"};
+  static constexpr std::array<std::string_view, 17> kNotOfThePicture = {
+      "SCENE",         "--set",  "-o",        "--quiet",          "--explain",         "--json",
+      "--stats",       "--crop", "--tile",    "--frames",         "--frames-per-turn", "--skip-existing",
+      "--progressive", "--help", "--threads", "--texture-memory", "--no-leave-out"};
   std::string text = "sweepkit " SWEEPKIT_VERSION;
   for (const CLI::Option* option : sub.get_options()) {
     if (std::ranges::find(kNotOfThePicture, option->get_name()) != kNotOfThePicture.end()) continue;

@@ -55,6 +55,9 @@ struct Plan {
   std::vector<bool> textures;  ///< by Document::textures: is it read at all?
   std::size_t texture_memory = texmap::kDefaultTextureMemory;
   std::vector<bool> sampled;  ///< by Document::textures: is it an image that a picture shows?
+  /// Otherwise every stage does for all what it has to do for some: (u,v) and footprints of what has no
+  /// texture.
+  bool leaves_out = true;
 
   bool needs_part(Part part) const { return needs[static_cast<std::size_t>(part)].is_needed; }
 };
@@ -76,6 +79,9 @@ struct Request {
   bool has_thicknesses = true;      ///< it can tell how thick glass is
   bool has_neighbours = true;       ///< footprints are made from the neighbouring pixels' hits
   bool has_differentials = true;    ///< where there are none, or at all, from the rays' derivatives
+  /// Otherwise every part of a picture that can be switched on without changing it is, needed or not: what
+  /// leaving out saves is measured against that.
+  bool leaves_out = true;
 };
 
 Plan plan(const Document& document, const Request& request);
