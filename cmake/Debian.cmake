@@ -20,7 +20,7 @@ or as a mesh file, or draws it by ray tracing with filtered textures.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsweepkit-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(linked libglm-dev libopenmesh-dev libhwy-dev libtinygltf-dev libpugixml-dev libcsv-dev libtbb-dev)
+set(linked libglm-dev libopenmesh-dev libhwy-dev libtinygltf-dev libmeshoptimizer-dev libpugixml-dev libcsv-dev libtbb-dev)
 if(embree_FOUND)
   list(APPEND linked libembree-dev)
 endif()

@@ -2,6 +2,7 @@
 find_package(glm REQUIRED)
 find_package(OpenMesh REQUIRED)
 find_package(TinyGLTF REQUIRED)
+find_package(meshoptimizer REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(OpenImageIO REQUIRED)
 find_package(TBB REQUIRED)

@@ -29,6 +29,7 @@ void BandCounts::add(const BandCounts& other) {
   rays.shadow += other.rays.shadow;
   rays.texcoords += other.rays.texcoords;
   rays.shares += other.rays.shares;
+  rays.normals += other.rays.normals;
   shading.smoothed += other.shading.smoothed;
   shading.nodes += other.shading.nodes;
   shading.environment_lookups += other.shading.environment_lookups;
@@ -44,6 +45,7 @@ void BandCounts::add(const BandCounts& other) {
   reflection_bytes = std::max(reflection_bytes, other.reflection_bytes);
   refraction_bytes = std::max(refraction_bytes, other.refraction_bytes);
   share_bytes = std::max(share_bytes, other.share_bytes);
+  normal_bytes = std::max(normal_bytes, other.normal_bytes);
   texcoord_bytes = std::max(texcoord_bytes, other.texcoord_bytes);
   visibility_bytes = std::max(visibility_bytes, other.visibility_bytes);
   shrink_bytes = std::max(shrink_bytes, other.shrink_bytes);
@@ -92,7 +94,7 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
   const int end_y = region_.y + end * supersampling_;
   for (int y = first_y - reach; y < end_y + reach; ++y) {
     if (is_cancelled != nullptr && *is_cancelled) return counts;
-    rows.shift_to(y, counts.rays);
+    rows.shift_to(y, counts.rays, filter);
     const double start = thread_seconds();
     for (std::size_t i = 0; i < width; ++i) {
       trees[i] = shader_.pixel(rows.window(), eye_rays_, region_.x - reach + static_cast<int>(i), filter,
@@ -135,6 +137,7 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
     counts.reflection_bytes += row.reflections.capacity() * sizeof(row.reflections[0]);
     counts.refraction_bytes += row.refractions.capacity() * sizeof(row.refractions[0]);
     counts.share_bytes += row.shares.capacity() * sizeof(row.shares[0]);
+    counts.normal_bytes += row.normal_bytes();
     counts.texcoord_bytes += row.texcoords.capacity() * sizeof(glm::dvec2);
     counts.visibility_bytes += row.visibility.bytes();
   }

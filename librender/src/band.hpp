@@ -27,6 +27,7 @@ struct BandCounts {
   std::size_t reflection_bytes = 0;
   std::size_t refraction_bytes = 0;
   std::size_t share_bytes = 0;
+  std::size_t normal_bytes = 0;
   std::size_t texcoord_bytes = 0;
   std::size_t visibility_bytes = 0;
   std::size_t shrink_bytes = 0;

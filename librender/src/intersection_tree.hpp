@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "eye_rays.hpp"
+#include "normal_maps.hpp"
 #include "ray.hpp"
+#include "ray_differential.hpp"
 #include "scattering.hpp"
 #include "surface_point.hpp"
 #include "sweepkit/scene/plan.hpp"
@@ -45,6 +47,8 @@ struct TreeRow {
   std::vector<std::int32_t> refractions;
   std::vector<Shares> shares;  ///< of the children; without them a material's `reflect`
   Visibility visibility;
+  std::vector<glm::dvec3> normals;  ///< with normal maps: what each node is shaded with (NormalMaps)
+  std::vector<RayDifferential> differentials;  ///< with normal maps: of the rays that arrive
 
   std::int32_t root(int x) const { return roots[static_cast<std::size_t>(x - first_pixel)]; }
   std::int32_t reflection(std::int32_t node) const {
@@ -54,6 +58,7 @@ struct TreeRow {
     return refractions.empty() ? kNotTraced : refractions[static_cast<std::size_t>(node)];
   }
   std::size_t bytes() const;
+  std::size_t normal_bytes() const;
 };
 
 /// A node whose share of the pixel would be split into one below this and another is not split: the larger
@@ -68,18 +73,23 @@ struct RayCounts {
   std::uint64_t refracted = 0;
   std::uint64_t shadow = 0;
   std::uint64_t texcoords = 0;
-  std::uint64_t shares = 0;  ///< nodes whose shares were worked out
+  std::uint64_t shares = 0;   ///< nodes whose shares were worked out
+  std::uint64_t normals = 0;  ///< looked up in normal maps
 };
 
 /// Fills rows of trees.
 class TreeBuilder {
  public:
-  TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer);
+  /// `maps` where the plan needs normal maps.
+  TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, const Tracer& tracer,
+              const NormalMaps* maps = nullptr);
 
-  /// Pixels first..end-1 of row y.
-  void build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end, RayCounts& counts) const;
-  /// The trees of row.places.
-  void build(TreeRow& row, const EyeRays& eye_rays, RayCounts& counts) const;
+  /// Pixels first..end-1 of row y. `filter` is for normal maps alone.
+  void build(TreeRow& row, const EyeRays& eye_rays, int y, int first, int end, RayCounts& counts,
+             texmap::FilterThread* filter = nullptr) const;
+  /// The trees of row.places, each for a square of `side` pixels.
+  void build(TreeRow& row, const EyeRays& eye_rays, RayCounts& counts, texmap::FilterThread* filter = nullptr,
+             double side = 1) const;
 
   /// (u,v) of a hit. Precondition: its mesh has any.
   glm::dvec2 texcoord_of(const Hit& hit) const;
@@ -90,23 +100,31 @@ class TreeBuilder {
     std::int32_t node;
     int level;
     double weight;
-    SurfacePoint point;
+    SurfacePoint point;  ///< the normal of a normal map in place of the interpolated one
+  };
+  /// What all nodes of a row's building share.
+  struct Growth {
+    std::vector<Pending>& pending;
+    RayCounts& counts;
+    texmap::FilterThread* filter;
   };
 
   std::int32_t add_node(TreeRow& row, const Hit& hit, const Ray& ray, std::uint32_t medium,
                         RayCounts& counts) const;
   // Goes on from a root: all that follows, and the light that falls on it.
-  void grow(TreeRow& row, std::int32_t root, std::uint64_t seed, std::vector<Pending>& pending,
-            RayCounts& counts) const;
+  void grow(TreeRow& row, std::int32_t root, std::uint64_t seed, const Growth& growth) const;
   // Lights a node, the last one, and makes it wait if it has children.
   void visit(TreeRow& row, std::int32_t node, int level, double weight, std::uint64_t seed,
-             std::vector<Pending>& pending, RayCounts& counts) const;
-  void add_children(TreeRow& row, const Pending& parent, std::uint64_t seed, std::vector<Pending>& pending,
-                    RayCounts& counts) const;
+             const Growth& growth) const;
+  void add_children(TreeRow& row, const Pending& parent, std::uint64_t seed, const Growth& growth) const;
+  // What the node is shaded with: its normal map's, which it keeps, or the surface's own.
+  glm::dvec3 normal_of(TreeRow& row, std::int32_t node, const SurfacePoint& point,
+                       const Growth& growth) const;
   std::uint32_t area_of(const Hit& hit) const;
 
   const scene::Scene& scene_;
   const Tracer& tracer_;
+  const NormalMaps* maps_;
   bool needs_texcoords_;
   bool leaves_out_;  // (u,v) of what has no texture
   bool needs_trees_;

@@ -19,8 +19,6 @@ using RowWindow = std::array<const TreeRow*, 3>;
 /// none.
 using Neighbourhood = std::array<std::array<std::int32_t, 3>, 3>;
 
-enum class Step { kReflected, kRefracted };
-
 /// An eye ray's place, and the side of the square about it that it stands for, in pixels.
 struct EyeSample {
   const EyeRays* eye_rays;
@@ -35,6 +33,8 @@ struct NodePath {
   const NodePath* from;
   Step step;  ///< with `from` alone
   EyeSample eye;
+  /// What the node is shaded with in place of the mesh's own normal, where there are normal maps.
+  const glm::dvec3* normal = nullptr;
 };
 
 /// The neighbour's node in its row, if it lies on the same piece of the same object.

@@ -12,13 +12,8 @@ RayDifferential arriving(const scene::Scene& scene, const Tracer& tracer, const 
 }
 
 RayDifferential going_on(const scene::Scene& scene, const Tracer& tracer, const NodePath& path, Step step) {
-  const RayDifferential ray = arriving(scene, tracer, path);
-  const Hit& hit = path.node->hit;
-  const glm::dvec3& direction = path.node->direction;
-  const HitDifferential at = at_hit(tracer, hit, direction, ray);
-  return step == Step::kReflected
-             ? reflected(tracer, hit, direction, ray, at)
-             : refracted(tracer, hit, direction, ray, at, material_of(scene, hit.object));
+  const MetSurface met{path.node->hit, path.node->direction, path.normal};
+  return going_on(tracer, met, material_of(scene, met.hit.object), arriving(scene, tracer, path), step);
 }
 
 }  // namespace sweepkit::render

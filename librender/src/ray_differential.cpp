@@ -13,6 +13,7 @@
 //   reflection    R = D - 2 (D.n) n,   dR = dD - 2 ((D.n) dn + (dD.n + D.dn) n)
 //   refraction    T = eta D + k n,   k = eta c - b,   c = -D.n,   b = sqrt(1 - eta^2 (1 - c^2)),
 //                 dT = eta dD + dk n + k dn,   dk = eta dc - db,   dc = -(dD.n + D.dn),   db = eta^2 c dc / b
+//   mapped        a normal map's normal m: dm = (n x dn) x m, the frame's rotation
 //   held above    V' = (V + (h - V.N) N) made unit where V.N < h; dV + (dh - dV.N) N before it is made unit
 
 #include "ray_differential.hpp"
@@ -69,6 +70,12 @@ Turning turning_normal(const TracedObject& object, const Hit& hit, const Surface
   return made_unit(side * m, side * dm);
 }
 
+// The normal of a normal map, as its frame turns it: by the rotation n x dn.
+Turning turning_mapped(const Turning& normal, const glm::dvec3* mapped) {
+  if (mapped == nullptr || *mapped == normal.vector) return normal;
+  return {*mapped, glm::cross(glm::cross(normal.vector, normal.turn), *mapped)};
+}
+
 // The same bent as bent_normal() does.
 Turning bent(const Turning& normal, const SurfacePoint& point, const glm::dvec3& direction,
              const glm::dvec3& turn) {
@@ -116,28 +123,34 @@ HitDifferential at_hit(const Tracer& tracer, const Hit& hit, const glm::dvec3& d
 }
 
 RayDifferential reflected(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
-                          const RayDifferential& ray, const HitDifferential& at) {
+                          const RayDifferential& ray, const HitDifferential& at, const glm::dvec3* mapped) {
   const TracedObject& object = tracer.object(hit.object);
   const SurfacePoint point = surface_point(tracer, hit, direction);
   const auto turned = [&](const glm::dvec3& turn, const glm::dvec3& moved) {
-    return turning_mirrored(direction, turn,
-                            bent(turning_normal(object, hit, point, moved), point, direction, turn))
-        .turn;
+    const Turning normal = turning_mapped(turning_normal(object, hit, point, moved), mapped);
+    return turning_mirrored(direction, turn, bent(normal, point, direction, turn)).turn;
   };
   return {at.x, at.y, turned(ray.direction_x, at.x), turned(ray.direction_y, at.y)};
 }
 
 RayDifferential refracted(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
                           const RayDifferential& ray, const HitDifferential& at,
-                          const scene::Material& material) {
+                          const scene::Material& material, const glm::dvec3* mapped) {
   const TracedObject& object = tracer.object(hit.object);
   const SurfacePoint point = surface_point(tracer, hit, direction);
   const double eta = relative_index(material, point.is_inside);
   const auto turned = [&](const glm::dvec3& turn, const glm::dvec3& moved) {
-    const Turning normal = bent(turning_normal(object, hit, point, moved), point, direction, turn);
-    return turning_refracted(direction, turn, normal, point, eta).turn;
+    const Turning own = turning_mapped(turning_normal(object, hit, point, moved), mapped);
+    return turning_refracted(direction, turn, bent(own, point, direction, turn), point, eta).turn;
   };
   return {at.x, at.y, turned(ray.direction_x, at.x), turned(ray.direction_y, at.y)};
+}
+
+RayDifferential going_on(const Tracer& tracer, const MetSurface& met, const scene::Material& material,
+                         const RayDifferential& ray, Step step) {
+  const HitDifferential at = at_hit(tracer, met.hit, met.direction, ray);
+  return step == Step::kReflected ? reflected(tracer, met.hit, met.direction, ray, at, met.normal)
+                                  : refracted(tracer, met.hit, met.direction, ray, at, material, met.normal);
 }
 
 texmap::Footprint footprint_of(const Tracer& tracer, const Hit& hit, const HitDifferential& at,

@@ -31,15 +31,31 @@ struct HitDifferential {
 HitDifferential at_hit(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
                        const RayDifferential& ray);
 
-/// Of the ray that is mirrored there: the normal that it is mirrored at turns with the hit.
+/// Of the ray that is mirrored there: the normal that it is mirrored at turns with the hit. `normal` is the
+/// one of a normal map, if there is one: it turns as the frame does that it is given in. What the map's own
+/// unevenness adds is left out.
 RayDifferential reflected(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
-                          const RayDifferential& ray, const HitDifferential& at);
+                          const RayDifferential& ray, const HitDifferential& at,
+                          const glm::dvec3* normal = nullptr);
 
 /// Of the ray that goes on through the surface. Not finite at the critical angle. Precondition: no total
 /// reflection.
 RayDifferential refracted(const Tracer& tracer, const Hit& hit, const glm::dvec3& direction,
                           const RayDifferential& ray, const HitDifferential& at,
-                          const scene::Material& material);
+                          const scene::Material& material, const glm::dvec3* normal = nullptr);
+
+enum class Step { kReflected, kRefracted };
+
+/// A hit, the ray that it was met along, and the normal of a normal map (reflected()).
+struct MetSurface {
+  Hit hit;
+  glm::dvec3 direction;
+  const glm::dvec3* normal = nullptr;
+};
+
+/// Of the ray that goes on from there, when the one that arrives has `ray`.
+RayDifferential going_on(const Tracer& tracer, const MetSurface& met, const scene::Material& material,
+                         const RayDifferential& ray, Step step);
 
 /// What the pixel covers of the texture about `uv`, (u,v) of the hit.
 texmap::Footprint footprint_of(const Tracer& tracer, const Hit& hit, const HitDifferential& at,

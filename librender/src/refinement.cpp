@@ -97,8 +97,8 @@ glm::dvec4 RefinedRows::refine(int x, int y, double expected, int& count, texmap
     samples_.places.clear();
     for (int i = count; i < n; ++i)
       samples_.places.push_back(glm::dvec2(x, y) + pattern[static_cast<std::size_t>(i)]);
-    builder_.build(samples_, eye_rays_, rays);
     const double side = std::sqrt(kShareOfArea / n);
+    builder_.build(samples_, eye_rays_, rays, &filter, side);
     for (std::size_t i = 0; i < samples_.places.size(); ++i) {
       const glm::dvec4 color = shader_.sample(samples_, eye_rays_, i, side, filter, shading).color;
       sum += color;

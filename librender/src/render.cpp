@@ -93,6 +93,7 @@ void fill_ledger(scene::Ledger& ledger, const BandCounts& counts, const Tracer& 
   ledger[Part::kTrees] = {counts.reflection_bytes, counts.rays.reflected + counts.rays.refracted};
   ledger[Part::kRefractions] = {counts.refraction_bytes, counts.rays.refracted};
   ledger[Part::kShares] = {counts.share_bytes, counts.rays.shares};
+  ledger[Part::kNormalMaps] = {counts.normal_bytes, counts.rays.normals};
   ledger[Part::kShadows] = {counts.visibility_bytes, counts.rays.shadow};
   ledger[Part::kDimmedShadows] = {0, has_dimmed_shadows ? counts.rays.shadow : 0};
   ledger[Part::kShadowEdges] = {0, counts.shading.smoothed};
@@ -208,6 +209,7 @@ struct Renderer::Parts {
         build_seconds(seconds_since(start)),
         tiles(memory_for_tiles(drawn, planned)),
         samplers(make_samplers(drawn, planned, texture_filter(options), tiles)),
+        maps(drawn, tracer, samplers),
         environment(drawn, planned, options.filter, tiles) {}
 
   const scene::Scene& scene;
@@ -218,6 +220,7 @@ struct Renderer::Parts {
   double build_seconds;
   mutable texmap::TileCache tiles;
   Samplers samplers;
+  NormalMaps maps;
   Environment environment;
 };
 
@@ -230,7 +233,8 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 Picture Renderer::draw(int step) const {
-  const auto& [scene, plan, options, built, tracer, build_seconds, tiles, samplers, environment] = *parts_;
+  const auto& [scene, plan, options, built, tracer, build_seconds, tiles, samplers, maps, environment] =
+      *parts_;
   if (step < 1) throw InputError("a preview needs a step of 1 pixel or more, got " + std::to_string(step));
   Picture picture;
   Statistics& statistics = picture.statistics;
@@ -251,7 +255,7 @@ Picture Renderer::draw(int step) const {
   const double height = static_cast<double>(scene.height) / step;
   const EyeRays eye_rays(scene.camera, width * supersampling, height * supersampling);
   const EyeRays middle_rays(scene.camera, width, height);
-  const TreeBuilder builder(scene, plan, tracer);
+  const TreeBuilder builder(scene, plan, tracer, plan.needs_part(scene::Part::kNormalMaps) ? &maps : nullptr);
   const TextureLookup textures(scene, plan, tracer, samplers, texture_filter(options), options.footprint);
   const Shader shader(scene, plan, tracer, textures, environment, options.has_alpha);
   const LayerPainter layers(scene, tracer, builder, middle_rays, picture.layers);

@@ -7,9 +7,9 @@
 
 namespace sweepkit::render {
 
-void RowBuffers::shift_to(int y, RayCounts& counts) {
+void RowBuffers::shift_to(int y, RayCounts& counts, texmap::FilterThread& filter) {
   const auto trace = [&](std::size_t row, int at) {
-    builder_.build(rows_[row], eye_rays_, at, first_, end_, counts);
+    builder_.build(rows_[row], eye_rays_, at, first_, end_, counts, &filter);
   };
   switch (kept_) {
     case KeptRows::kOwn:

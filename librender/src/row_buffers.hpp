@@ -24,7 +24,7 @@ class RowBuffers {
       : builder_(builder), eye_rays_(eye_rays), kept_(kept), first_(first), end_(end) {}
 
   /// Makes row y the middle one. The first time any row, then one after the other.
-  void shift_to(int y, RayCounts& counts);
+  void shift_to(int y, RayCounts& counts, texmap::FilterThread& filter);
 
   RowWindow window() const {
     return {&rows_[kept_ == KeptRows::kBothSides ? 0 : 1], &rows_[1],

@@ -22,13 +22,18 @@ std::int32_t child_of(const TreeRow& row, std::int32_t node, Step step) {
   return step == Step::kReflected ? row.reflection(node) : row.refraction(node);
 }
 
+const glm::dvec3* normal_at(const TreeRow& row, std::int32_t node) {
+  return row.normals.empty() ? nullptr : &row.normals[static_cast<std::size_t>(node)];
+}
+
 }  // namespace
 
 TreeColor Shader::seen(const RowWindow& rows, const Neighbourhood& nodes, const EyeSample& eye,
                        texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t root = nodes[1][1];
   if (root >= 0) {
-    const NodePath path{&rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, Step::kReflected, eye};
+    const NodePath path{&rows[1]->nodes[static_cast<std::size_t>(root)], nullptr, Step::kReflected, eye,
+                        normal_at(*rows[1], root)};
     const TreeLight light = dimmed_node(rows, nodes, path, filter, counts);
     return {glm::dvec4(light.color, 1), light.plain};
   }
@@ -110,7 +115,8 @@ TreeLight Shader::child(const RowWindow& rows, const Neighbourhood& nodes, const
     for (std::size_t c = 0; c < 3; ++c)
       children[r][c] = nodes[r][c] >= 0 ? child_of(*rows[r], nodes[r][c], step) : kNotTraced;
   }
-  const NodePath longer{&rows[1]->nodes[static_cast<std::size_t>(index)], &path, step, path.eye};
+  const NodePath longer{&rows[1]->nodes[static_cast<std::size_t>(index)], &path, step, path.eye,
+                        normal_at(*rows[1], index)};
   return dimmed_node(rows, children, longer, filter, counts);
 }
 
@@ -119,7 +125,8 @@ glm::dvec3 Shader::escaped(const NodePath& path, Step step, texmap::FilterThread
   if (!environment_.is_picture()) return glm::dvec3(scene_.background);
   // The ray's direction, worked out again as the tree's builder did.
   const TreeNode& at = *path.node;
-  const SurfacePoint point = surface_point(tracer_, at.hit, at.direction);
+  SurfacePoint point = surface_point(tracer_, at.hit, at.direction);
+  if (path.normal != nullptr) point.shading_normal = *path.normal;
   const glm::dvec3 normal = bent_normal(point, at.direction);
   const double eta = relative_index(material_of(scene_, at.hit.object), point.is_inside);
   const glm::dvec3 direction = step == Step::kReflected ? glm::normalize(mirrored(at.direction, normal))

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "neighbourhood.hpp"
+#include "normal_maps.hpp"
 #include "ray_differential.hpp"
 #include "sweepkit/render/render.hpp"
 #include "sweepkit/scene/plan.hpp"
@@ -18,9 +19,6 @@
 #include "tracer.hpp"
 
 namespace sweepkit::render {
-
-/// By Scene::textures; none where the texture is computed, or not used.
-using Samplers = std::vector<std::optional<texmap::TextureSampler>>;
 
 struct LookupCounts {
   std::uint64_t textured = 0;

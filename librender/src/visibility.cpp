@@ -49,7 +49,8 @@ std::size_t Visibility::bytes() const {
 }
 
 std::uint64_t add_visibility(Visibility& visibility, const scene::Scene& scene, const Tracer& tracer,
-                             const Hit& hit, const SurfacePoint& point, std::uint64_t seed) {
+                             const Hit& hit, const SurfacePoint& point, const glm::dvec3& normal,
+                             std::uint64_t seed) {
   const glm::dvec3 start = smooth_start(tracer, hit, point);
   visibility.points.push_back({start, point.shading_normal});
   std::uint64_t rays = 0;
@@ -60,8 +61,10 @@ std::uint64_t add_visibility(Visibility& visibility, const scene::Scene& scene, 
   for (const scene::Light& light : scene.lights) {
     seed = scatter(seed);
     const ToLight to = towards(light, start);
-    if (!(glm::dot(point.shading_normal, to.direction) > 0)) {
-      visibility.shares.insert(visibility.shares.end(), visibility.channels, kTurnedAway);
+    const bool is_turned_away = !(glm::dot(normal, to.direction) > 0);
+    if (is_turned_away || !(glm::dot(point.shading_normal, to.direction) > 0)) {
+      visibility.shares.insert(visibility.shares.end(), visibility.channels,
+                               is_turned_away ? kTurnedAway : 0.0f);
       continue;
     }
     glm::dvec3 share(0.0);

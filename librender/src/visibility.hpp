@@ -15,7 +15,7 @@ namespace sweepkit::render {
 /// Where light falls on a node.
 struct LitPoint {
   glm::dvec3 start;   ///< of its shadow rays
-  glm::dvec3 normal;  ///< unit, on the side that is seen
+  glm::dvec3 normal;  ///< the surface's, unit, on the side that is seen
 };
 
 /// The way to a light from a point.
@@ -41,8 +41,11 @@ struct Visibility {
 inline constexpr float kTurnedAway = -1;
 
 /// Traces the shadow rays of a node and appends what they find; one ray a light, kLightSamples to one that
-/// has a radius and shows as a disc, `seed` turning them. Returns the number of rays.
+/// has a radius and shows as a disc, `seed` turning them. Returns the number of rays. `normal` is what the
+/// node is shaded with: the point's own, or a normal map's. A light that it sees from below the surface's own
+/// horizon has a share of 0, since the way there leads through the surface.
 std::uint64_t add_visibility(Visibility& visibility, const scene::Scene& scene, const Tracer& tracer,
-                             const Hit& hit, const SurfacePoint& point, std::uint64_t seed);
+                             const Hit& hit, const SurfacePoint& point, const glm::dvec3& normal,
+                             std::uint64_t seed);
 
 }  // namespace sweepkit::render

@@ -50,6 +50,23 @@ void read_background(const Node& node, const std::filesystem::path& folder, Docu
   reader.finish();
 }
 
+// A normal map holds numbers, not light. One image cannot be read both ways.
+void settle_normal_maps(Document& document) {
+  for (std::size_t i = 0; i < document.materials.size(); ++i) {
+    const std::optional<std::size_t>& map = document.materials[i].normal_map;
+    if (!map) continue;
+    TextureEntry& texture = document.textures[*map];
+    for (const Material& other : document.materials) {
+      if (other.texture == map) {
+        throw InputError(document.material_places[i], "its normal map \"" + texture.name +
+                                                          "\" is the colours of \"" + other.name +
+                                                          "\" too; name the image twice under \"textures\"");
+      }
+    }
+    std::get<ImageEntry>(texture.source).color_space = texmap::ColorSpace::kLinear;
+  }
+}
+
 Document read_document(const JsonDocument& json, const std::filesystem::path& folder) {
   const Node root(json.root, "");
   ObjectReader reader(root);
@@ -75,6 +92,7 @@ Document read_document(const JsonDocument& json, const std::filesystem::path& fo
       document.material_places.push_back(material.place());
     }
   }
+  settle_normal_maps(document);
   const Node objects = reader.get("objects");
   reader.finish();
   document.objects = read_objects(objects, document.materials, folder);

@@ -11,14 +11,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "gltf_arrays.hpp"
 #include "gltf_buffer.hpp"
+#include "gltf_camera.hpp"
 #include "gltf_container.hpp"
 #include "gltf_extras.hpp"
+#include "gltf_lights.hpp"
 #include "gltf_material_entry.hpp"
+#include "gltf_mirror.hpp"
+#include "gltf_motion.hpp"
+#include "gltf_primitive.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
 #include "json_text.hpp"
@@ -42,20 +46,25 @@ class Writer {
         plan_(plan),
         options_(options),
         stem_(file == "-" ? "scene" : file.stem().string()),
+        bounds_(needs_bounds(options) ? bounds_of(scene) : Bounds()),
+        pivot_(options.turntable_seconds > 0 ? bounds_.center() : glm::dvec3(0.0)),
         is_binary_(file.extension() != ".gltf"),
-        buffer_(model_),
+        buffer_(model_, {options.is_quantized, options.is_packed}),
         textures_(model_, buffer_, result_, scene, options, stem_,
                   options.images_in == GltfImages::kSeparate ||
                       (options.images_in == GltfImages::kByContainer && !is_binary_)) {
     model_.asset.version = "2.0";
     model_.asset.generator = "sweepkit " SWEEPKIT_VERSION;
+    if (options.grow_seconds > 0 && (options.is_quantized || options.is_packed)) {
+      throw InputError("what grows has morph targets, which are neither quantized nor packed; leave one out");
+    }
     if (!is_utf8(options.copyright)) throw InputError("the copyright is no UTF-8 text");
     model_.asset.copyright = options.copyright;
   }
 
-  GltfFile write() {
+  GltfPieces write() {
     tinygltf::Scene scene;
-    scene.name = "scene";
+    if (!options_.is_minimal) scene.name = "scene";
     const auto is_first = [](const Object& object) { return object.instance == 0; };
     for (auto first = scene_.objects.begin(); first != scene_.objects.end();) {
       const auto end = std::find_if(first + 1, scene_.objects.end(), is_first);
@@ -66,16 +75,41 @@ class Writer {
       first = end;
     }
     if (scene.nodes.empty()) refuse_selection();
-    scene.nodes.push_back(static_cast<int>(model_.nodes.size()));
-    add_camera();
+    if (options_.turntable_seconds > 0) add_turntable_over(scene.nodes);
+    if (options_.grow_seconds > 0) {
+      if (growing_.empty()) throw InputError("nothing here is swept or revolved, so that nothing can grow");
+      add_growing(model_, buffer_, growing_, options_.grow_seconds);
+    }
+    if (!options_.is_minimal) {
+      scene.nodes.push_back(add_camera(model_, scene_, bounds_));
+      if (options_.look == GltfLook::kFull && !scene_.has_default_light) {
+        const std::vector<int> lights = add_lights(model_, scene_.lights, bounds_);
+        scene.nodes.insert(scene.nodes.end(), lights.begin(), lights.end());
+      }
+    }
+    if (options_.is_minimal) {
+      for (tinygltf::Animation& animation : model_.animations) animation.name.clear();
+    }
     model_.scenes.push_back(std::move(scene));
     model_.defaultScene = 0;
+    if (options_.is_quantized) {
+      extensions_.insert("KHR_mesh_quantization");
+      model_.extensionsRequired.emplace_back("KHR_mesh_quantization");
+    }
+    if (buffer_.unpacked_bytes > 0) {
+      extensions_.insert("EXT_meshopt_compression");
+      model_.extensionsRequired.emplace_back("EXT_meshopt_compression");
+    }
     model_.extensionsUsed.assign(extensions_.begin(), extensions_.end());
-    add_files();
-    return std::move(result_);
+    return files();
   }
 
  private:
+  // For the camera's depths, the lights' brightness and the turntable's middle.
+  static bool needs_bounds(const GltfOptions& options) {
+    return !options.is_minimal || options.turntable_seconds > 0;
+  }
+
   [[noreturn]] void refuse_selection() const {
     if (!options_.object) throw InputError("the scene has no objects to write");
     std::string names;
@@ -85,18 +119,61 @@ class Writer {
     throw InputError("there is no object " + in_quotes(*options_.object) + "; there is " + names);
   }
 
-  void add_files() {
-    GltfContainer container{
-        .buffer_bytes = buffer_.bytes.size(), .extras = gltf_extras(options_), .is_indented = !is_binary_};
+  // The objects' nodes are placed about the middle of all (add_node), which the turntable's node is at.
+  void add_turntable_over(std::vector<int>& nodes) {
+    const int turntable = static_cast<int>(model_.nodes.size());
+    tinygltf::Node node;
+    if (!options_.is_minimal) node.name = "turntable";
+    node.translation = {pivot_.x, pivot_.y, pivot_.z};
+    node.children = std::move(nodes);
+    model_.nodes.push_back(std::move(node));
+    nodes = {turntable};
+    add_turntable(model_, buffer_, turntable, options_.turntable_seconds);
+  }
+
+  // Of a mesh that is to be written; none where it does not grow.
+  const Growth* growth_of(std::size_t mesh) {
+    if (!(options_.grow_seconds > 0)) return nullptr;
+    const auto [found, is_new] = growths_.try_emplace(mesh);
+    if (is_new) {
+      found->second = grow(view_of(mesh));
+      if (found->second) {
+        result_.targets = std::max(result_.targets, found->second->states.size());
+        result_.grow_error = std::max(result_.grow_error, found->second->error);
+      }
+    }
+    return found->second ? &*found->second : nullptr;
+  }
+
+  GltfPieces files() {
+    GltfContainer container{.views = buffer_.views,
+                            .buffer_bytes = buffer_.size,
+                            .unpacked_bytes = buffer_.unpacked_bytes,
+                            .extras = options_.is_minimal ? "" : gltf_extras(options_),
+                            .is_indented = !is_binary_};
+    GltfPieces made{.kept = std::move(buffer_.kept),
+                    .ledger = result_.ledger,
+                    .triangles_without_area = result_.triangles_without_area,
+                    .targets = result_.targets,
+                    .grow_error = result_.grow_error};
+    const auto add = [&](const std::string& name, std::vector<std::byte> bytes) {
+      made.files.push_back({name, {made.kept.emplace_back(std::move(bytes))}});
+    };
+    for (NamedBytes& image : result_.files) add(image.name, std::move(image.bytes));
+    std::vector<std::span<const std::byte>>& pieces = buffer_.pieces;
     if (is_binary_) {
       const std::string json = gltf_json(model_, container);
-      result_.files.push_back({stem_ + ".glb", glb_bytes(json, std::move(buffer_.bytes))});
-      return;
+      add(stem_ + ".glb", glb_head(json, buffer_.size));
+      std::vector<std::span<const std::byte>>& whole = made.files.back().pieces;
+      whole.insert(whole.end(), pieces.begin(), pieces.end());
+      whole.push_back(made.kept.emplace_back((4 - buffer_.size % 4) % 4));
+      return made;
     }
     const std::string name = stem_ + ".bin";
     container.buffer_uri = percent_encoded(name);
-    result_.files.push_back({name, std::move(buffer_.bytes)});
-    result_.files.push_back({stem_ + ".gltf", to_bytes(gltf_json(model_, container))});
+    made.files.push_back({name, std::move(pieces)});
+    add(stem_ + ".gltf", to_bytes(gltf_json(model_, container)));
+    return made;
   }
 
   GltfBody body_of(const Object& object) {
@@ -108,127 +185,155 @@ class Writer {
       result_.ledger[Part::kThicknesses].calls += 1;
       result_.ledger[Part::kThicknesses].bytes += mean_chord_bytes(mesh);
     }
-    return {found->second, std::cbrt(std::abs(glm::determinant(glm::dmat3(object.world_from_object))))};
+    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(object.world_from_object))));
+    const double step = grid_of(object.mesh).step;  // a viewer scales the thickness as it does the mesh
+    return {found->second ? std::optional(*found->second / step) : std::nullopt, scale * step};
   }
 
   // One for each set of terms and texture in use.
   int add_material(const Object& object, std::vector<texmap::UvTransform>& transforms) {
     const Material material = object.material ? scene_.materials[*object.material] : Material{};
     const GltfBody body = material.transmit > 0 ? body_of(object) : GltfBody{};
-    std::optional<int> texture;
+    GltfMaps maps;
     if (material.texture && plan_.textures[*material.texture]) {
       const texmap::Texture& source = scene_.textures[*material.texture];
       if (const auto* procedural = std::get_if<texmap::Procedural>(&source)) {
         if (plan_.needs_part(Part::kBakes)) {
-          texture = textures_.baked_texture(object, *procedural, transforms);
+          maps.base_color = textures_.baked_texture(object, *procedural, transforms);
         }
       } else {
-        texture = textures_.image_texture(*material.texture);
+        maps.base_color = textures_.image_texture(*material.texture);
       }
+    }
+    if (material.normal_map && plan_.needs_part(Part::kNormalMaps)) {
+      // A texture that was baked over the mesh has (u,v) of its own there.
+      maps.normals = {textures_.image_texture(*material.normal_map), material.normal_strength,
+                      transforms.empty() ? 0 : 1};
     }
     const GltfMaterial terms = to_gltf(material, options_.look, body);
     const auto same = std::find_if(materials_.begin(), materials_.end(), [&](const MaterialInUse& one) {
-      return one.terms == terms && one.texture == texture;
+      return one.terms == terms && one.maps == maps;
     });
     if (same != materials_.end()) return static_cast<int>(same - materials_.begin());
-    materials_.push_back({terms, texture});
-    model_.materials.push_back(
-        material_entry(object.material ? material.name : "default", terms, texture, extensions_));
+    materials_.push_back({terms, maps});
+    model_.materials.push_back(material_entry(options_.is_minimal ? ""
+                                              : object.material   ? material.name
+                                                                  : "default",
+                                              terms, maps, extensions_));
     return static_cast<int>(materials_.size()) - 1;
+  }
+
+  std::string name_of(const Object& object) const { return options_.is_minimal ? "" : object.name; }
+
+  bool needs_texcoords(int material) const {
+    return !options_.is_minimal || materials_[static_cast<std::size_t>(material)].maps != GltfMaps();
   }
 
   // Its instances. One is a node with the mesh; several are such nodes without names under the object's.
   void add_object(std::span<const Object> instances) {
+    const MeshView& own = scene_.meshes[instances.front().mesh];
+    if (!own.tangents.empty() && all_mirror(instances)) mirrored_.try_emplace(instances.front().mesh, own);
     const int mesh = add_mesh(instances.front());
     if (instances.size() == 1) {
       add_node(instances.front(), mesh);
-      model_.nodes.back().name = instances.front().name;
+      model_.nodes.back().name = name_of(instances.front());
       return;
     }
     const std::size_t group = model_.nodes.size();
     model_.nodes.emplace_back();
-    model_.nodes.back().name = instances.front().name;
+    model_.nodes.back().name = name_of(instances.front());
     for (const Object& instance : instances) {
       model_.nodes[group].children.push_back(static_cast<int>(model_.nodes.size()));
       add_node(instance, mesh);
     }
   }
 
+  // As it stands in the file.
+  MeshView view_of(std::size_t mesh) const {
+    const auto mirrored = mirrored_.find(mesh);
+    const MeshView& own = scene_.meshes[mesh];
+    return mirrored != mirrored_.end() ? mirrored->second.view(own) : own;
+  }
+
+  // Of a mesh in floats the identity.
+  const PositionGrid& grid_of(std::size_t mesh) {
+    const auto [found, is_new] = grids_.try_emplace(mesh);
+    if (is_new && options_.is_quantized) {
+      const MeshView view = view_of(mesh);
+      const int usual = options_.is_packed ? bits_for_cells(view.positions, view.triangles) : 16;
+      found->second = position_grid(view.positions, options_.position_bits.value_or(usual));
+    }
+    return found->second;
+  }
+
   void add_node(const Object& object, int mesh) {
+    const PositionGrid& grid = grid_of(object.mesh);
     glm::dmat4 node_from_mesh(1.0);
     node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
+    if (mirrored_.contains(object.mesh)) node_from_mesh[0] = -node_from_mesh[0];
+    glm::dmat4 mesh_from_grid = glm::dmat4(glm::dmat3(grid.step));
+    mesh_from_grid[3] = glm::dvec4(grid.offset, 1);
+    node_from_mesh = node_from_mesh * mesh_from_grid;
+    glm::dmat4 placement = object.world_from_object * node_from_mesh;
+    placement[3] -= glm::dvec4(pivot_, 0);
     tinygltf::Node node;
     node.mesh = mesh;
-    place(node, object.world_from_object * node_from_mesh, object.name);
+    if (const Growth* growth = growth_of(object.mesh))
+      growing_.push_back({static_cast<int>(model_.nodes.size()), growth});
+    const std::optional<NodeTransform> transform = decompose(placement);
+    if (!transform) {
+      throw InputError("the object " + in_quotes(object.name) +
+                       " is sheared by an instance, which glTF cannot place; give that instance one scale "
+                       "for all directions");
+    }
+    place(node, *transform);
     model_.nodes.push_back(std::move(node));
   }
 
   int add_mesh(const Object& object) {
-    const MeshView& mesh = scene_.meshes[object.mesh];
+    const MeshView mesh = view_of(object.mesh);
     if (mesh.triangles.empty())
       throw InputError("the object " + in_quotes(object.name) + " has no triangles");
     std::vector<texmap::UvTransform> transforms;
-    tinygltf::Primitive primitive;
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.material = add_material(object, transforms);
-    primitive.indices = buffer_.add_indices(mesh.triangles, mesh.positions.size());
-    primitive.attributes["POSITION"] = buffer_.add_positions(mesh.positions);
-    primitive.attributes["NORMAL"] = buffer_.add_vertices(mesh.normals);
-    if (options_.has_tangents) {
-      primitive.attributes["TANGENT"] = buffer_.add_vertices(
-          sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles));
+    const int material = add_material(object, transforms);
+    GltfVertices vertices{.lasts = !mirrored_.contains(object.mesh)};
+    vertices.tangents.assign(mesh.tangents.begin(), mesh.tangents.end());
+    if (needs_texcoords(material)) {
+      vertices.texcoords = gltf_texcoords(mesh, transforms);
+      if (!mesh.tangents.empty() && !transforms.empty()) vertices.second_texcoords = gltf_texcoords(mesh, {});
+      if (mesh.tangents.empty() && options_.has_tangents) {
+        vertices.tangents =
+            sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles);
+      }
     }
-    primitive.attributes["TEXCOORD_0"] = buffer_.add_vertices(gltf_texcoords(mesh, transforms));
+    const std::optional<PositionGrid> grid =
+        options_.is_quantized ? std::optional(grid_of(object.mesh)) : std::nullopt;
+    auto [primitive, without_area] = add_primitive(buffer_, mesh, vertices, grid, options_.is_packed);
+    if (primitive.indices < 0) {
+      throw InputError("the object " + in_quotes(object.name) +
+                       " is too thin to be quantized: no triangle keeps its area");
+    }
+    primitive.material = material;
+    if (const Growth* growth = growth_of(object.mesh)) add_targets(primitive, buffer_, *growth);
+    result_.triangles_without_area += without_area;
     tinygltf::Mesh entry;
-    entry.name = object.name;
+    entry.name = name_of(object);
     entry.primitives.push_back(std::move(primitive));
     model_.meshes.push_back(std::move(entry));
     return static_cast<int>(model_.meshes.size()) - 1;
   }
 
-  static void place(tinygltf::Node& node, const glm::dmat4& world_from_node, const std::string& name) {
-    const std::optional<NodeTransform> transform = decompose(world_from_node);
-    if (!transform) {
-      throw InputError("the object " + in_quotes(name) +
-                       " is sheared by an instance, which glTF cannot place; give that instance one scale "
-                       "for all directions");
-    }
-    const auto& [t, r, s] = *transform;
-    if (t != glm::dvec3(0.0)) node.translation = {t.x, t.y, t.z};
-    if (r != glm::dvec4(0, 0, 0, 1)) node.rotation = {r.x, r.y, r.z, r.w};
-    if (s != glm::dvec3(1.0)) node.scale = {s.x, s.y, s.z};
-  }
-
-  void add_camera() {
-    const Camera& from = scene_.camera;
-    tinygltf::Camera camera;
-    camera.type = "perspective";
-    camera.name = "camera";
-    camera.perspective.yfov = from.fov_deg * (std::numbers::pi / 180);
-    camera.perspective.aspectRatio = static_cast<double>(scene_.width) / scene_.height;
-    const double distance = glm::distance(from.target, from.eye);
-    camera.perspective.znear = 1e-3 * distance;
-    camera.perspective.zfar = 1e3 * distance;
-    model_.cameras.push_back(camera);
-    tinygltf::Node node;
-    node.name = "camera";
-    node.camera = 0;
-    glm::dmat4 placement(world_from_camera(from));
-    placement[3] = glm::dvec4(from.eye, 1);
-    place(node, placement, node.name);
-    node.scale.clear();  // 1 but for rounding; a camera has none
-    model_.nodes.push_back(std::move(node));
-  }
-
   struct MaterialInUse {
     GltfMaterial terms;
-    std::optional<int> texture;
+    GltfMaps maps;
   };
 
   const Scene& scene_;
   const Plan& plan_;
   const GltfOptions& options_;
   std::string stem_;
+  Bounds bounds_;
+  glm::dvec3 pivot_;
   bool is_binary_;
   tinygltf::Model model_;
   GltfFile result_;
@@ -236,14 +341,36 @@ class Writer {
   GltfTextures textures_;
   std::vector<MaterialInUse> materials_;                      // as model_.materials
   std::map<std::size_t, std::optional<double>> thicknesses_;  // by mesh
+  std::map<std::size_t, PositionGrid> grids_;                 // by mesh
+  std::map<std::size_t, MirroredMesh> mirrored_;          // by mesh: those that no placement shows unmirrored
+  std::map<std::size_t, std::optional<Growth>> growths_;  // by mesh
+  std::vector<GrowingNode> growing_;
   std::set<std::string> extensions_;
 };
 
 }  // namespace
 
+GltfPieces make_gltf_pieces(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
+                            const GltfOptions& options) {
+  return Writer(scene, plan, file, options).write();
+}
+
 GltfFile make_gltf(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                    const GltfOptions& options) {
-  return Writer(scene, plan, file, options).write();
+  GltfPieces made = make_gltf_pieces(scene, plan, file, options);
+  GltfFile whole{.ledger = made.ledger,
+                 .triangles_without_area = made.triangles_without_area,
+                 .targets = made.targets,
+                 .grow_error = made.grow_error};
+  for (const GltfPieces::File& part : made.files) {
+    std::size_t size = 0;
+    for (const auto& piece : part.pieces) size += piece.size();
+    NamedBytes bytes{.name = part.name};
+    bytes.bytes.reserve(size);
+    for (const auto& piece : part.pieces) bytes.bytes.insert(bytes.bytes.end(), piece.begin(), piece.end());
+    whole.files.push_back(std::move(bytes));
+  }
+  return whole;
 }
 
 }  // namespace sweepkit::scene

@@ -6,12 +6,36 @@
 
 #include "gltf_container.hpp"
 
+#include <optional>
 #include <sstream>
-#include <string_view>
 
 #include "sweepkit/error.hpp"
 
 namespace sweepkit::scene {
+
+namespace {
+
+std::string view_json(const GltfView& view) {
+  const auto member = [](const char* key, std::size_t value) {
+    return value > 0 ? std::string(",\"") + key + "\":" + std::to_string(value) : std::string();
+  };
+  const std::optional<GltfPacking>& packing = view.packing;
+  std::string json = packing ? R"({"buffer":1)" : R"({"buffer":0)";
+  json += member("byteLength", packing ? packing->count * packing->item_bytes : view.length);
+  json += member("byteOffset", packing ? packing->unpacked_offset : view.offset);
+  json += member("byteStride", view.stride);
+  json += member("target", static_cast<std::size_t>(view.target));
+  if (packing) {
+    json += R"(,"extensions":{"EXT_meshopt_compression":{"buffer":0)" + member("byteLength", view.length) +
+            member("byteOffset", view.offset) + member("byteStride", packing->item_bytes) +
+            member("count", packing->count) + R"(,"mode":")" + packing->mode + '"';
+    if (!packing->filter.empty()) json += R"(,"filter":")" + packing->filter + '"';
+    json += "}}";
+  }
+  return json + '}';
+}
+
+}  // namespace
 
 std::string gltf_json(tinygltf::Model& model, const GltfContainer& container) {
   std::ostringstream stream;
@@ -20,32 +44,41 @@ std::string gltf_json(tinygltf::Model& model, const GltfContainer& container) {
   }
   std::string json = std::move(stream).str();
   json.resize(json.find_last_of('}'));
-  const std::string_view newline = container.is_indented ? "\n  " : "";
   while (json.back() == '\n' || json.back() == ' ') json.pop_back();
-  json += ',';
-  json += newline;
-  json += R"("buffers":[{"byteLength":)" + std::to_string(container.buffer_bytes);
-  if (!container.buffer_uri.empty()) json += R"(,"uri":")" + container.buffer_uri + '"';
-  json += "}]";
-  if (!container.extras.empty()) {
-    json += ',';
-    json += newline;
-    json += R"("extras":)" + container.extras;
+  const auto add = [&](const char* key, const std::string& value) {
+    if (json.back() != '{') json += ',';
+    json += container.is_indented ? "\n  " : "";
+    json += std::string("\"") + key + "\":" + (container.is_indented ? " " : "") + value;
+  };
+  std::string views;
+  for (const GltfView& view : container.views) {
+    if (!views.empty()) views += ',';
+    views += (container.is_indented ? "\n    " : "") + view_json(view);
   }
+  add("bufferViews", '[' + views + (container.is_indented ? "\n  ]" : "]"));
+  std::string buffers = R"([{"byteLength":)" + std::to_string(container.buffer_bytes);
+  if (!container.buffer_uri.empty()) buffers += R"(,"uri":")" + container.buffer_uri + '"';
+  buffers += '}';
+  if (container.unpacked_bytes > 0) {
+    buffers += R"(,{"byteLength":)" + std::to_string(container.unpacked_bytes) +
+               R"(,"extensions":{"EXT_meshopt_compression":{"fallback":true}}})";
+  }
+  add("buffers", buffers + ']');
+  if (!container.extras.empty()) add("extras", container.extras);
   json += container.is_indented ? "\n}\n" : "}";
   return json;
 }
 
-std::vector<std::byte> glb_bytes(const std::string& json, std::vector<std::byte> buffer) {
+std::vector<std::byte> glb_head(const std::string& json, std::size_t buffer_bytes) {
   const auto padded = [](std::size_t size) { return (size + 3) / 4 * 4; };
   const std::size_t json_size = padded(json.size());
-  const std::size_t buffer_size = padded(buffer.size());
+  const std::size_t buffer_size = padded(buffer_bytes);
   const std::size_t whole = 12 + 8 + json_size + 8 + buffer_size;
   if (whole > 0xFFFFFFFFu) {
     throw InputError("the file would be over 4 GiB, more than a .glb counts; ask for fewer objects or cells");
   }
   std::vector<std::byte> out;
-  out.reserve(whole);
+  out.reserve(28 + json_size);
   const auto word = [&](std::size_t value) {
     for (int i = 0; i < 4; ++i) out.push_back(static_cast<std::byte>((value >> (8 * i)) & 0xFF));
   };
@@ -59,9 +92,6 @@ std::vector<std::byte> glb_bytes(const std::string& json, std::vector<std::byte>
   out.resize(20 + json_size, std::byte{' '});
   word(buffer_size);
   word(0x004E4942);  // "BIN"
-  out.insert(out.end(), buffer.begin(), buffer.end());
-  buffer = {};
-  out.resize(whole);
   return out;
 }
 

@@ -6,6 +6,8 @@
 
 #include "sweepkit/scene/gltf_info.hpp"
 
+#include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <span>
 
@@ -34,9 +36,27 @@ class Reader {
     if (version.text().compare(0, 2, "2.") != 0)
       version.fail("needs glTF 2.x, got \"" + version.text() + "\"");
     if (const auto generator = asset.find("generator")) info.generator = generator->text();
+    if (const auto copyright = asset.find("copyright")) info.copyright = copyright->text();
+    info.extensions_used = names("extensionsUsed");
+    info.extensions_required = names("extensionsRequired");
+    info.has_scene = has_scene();
+    for (const Node& node : array("buffers")) info.buffers.push_back(buffer(node));
+    for (const Node& node : array("bufferViews")) add_packed(node, info.packed);
+    for (const Node& node : array("cameras")) {
+      ObjectReader reader(node);
+      info.cameras.push_back({name_of(reader), reader.get("type").text()});
+    }
+    for (const Node& node : lights()) {
+      ObjectReader reader(node);
+      const std::optional<Node> intensity = reader.find("intensity");
+      info.lights.push_back(
+          {name_of(reader), reader.get("type").text(), intensity ? intensity->number() : 1.0});
+    }
+    for (const Node& node : array("animations")) info.animations.push_back(animation(node));
     for (const Node& node : array("materials")) info.materials.push_back(material(node));
     for (const Node& node : array("meshes")) info.meshes.push_back(mesh(node, info.materials));
     for (const Node& node : array("images")) info.images.push_back(image(node));
+    for (const Node& node : array("textures")) info.textures.push_back(texture(node, info.images));
     return info;
   }
 
@@ -63,6 +83,93 @@ class Reader {
                  std::to_string(items.size()));
     }
     return items[at];
+  }
+
+  std::vector<std::string> names(const std::string& key) {
+    std::vector<std::string> texts;
+    for (const Node& node : array(key)) texts.push_back(node.text());
+    return texts;
+  }
+
+  // What is there, if all on the way is an object: of other programs' extras anything may be.
+  static std::optional<Node> inner(std::optional<Node> node, std::initializer_list<const char*> keys) {
+    for (const char* key : keys) {
+      if (!node || !node->is_object()) return std::nullopt;
+      node = ObjectReader(*node).find(key);
+    }
+    return node;
+  }
+
+  bool has_scene() { return inner(root_.find("extras"), {"sweepkit", "scene"}).has_value(); }
+
+  std::vector<Node> lights() {
+    const std::optional<Node> node = inner(root_.find("extensions"), {"KHR_lights_punctual", "lights"});
+    return node ? node->items() : std::vector<Node>();
+  }
+
+  GltfInfo::Buffer buffer(const Node& node) {
+    ObjectReader reader(node);
+    GltfInfo::Buffer buffer;
+    buffer.bytes = whole(reader.get("byteLength"));
+    const std::optional<Node> uri = reader.find("uri");
+    if (!uri || uri->text().compare(0, 5, "data:") == 0) return buffer;
+    buffer.file = uri->text();
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(folder_ / percent_decoded(buffer.file), error);
+    buffer.is_missing = error || size < buffer.bytes;
+    return buffer;
+  }
+
+  static void add_packed(const Node& node, GltfInfo::Packed& packed) {
+    ObjectReader view(node);
+    const std::optional<Node> extension = inner(view.find("extensions"), {"EXT_meshopt_compression"});
+    if (!extension) return;
+    packed.views += 1;
+    packed.bytes += whole(ObjectReader(*extension).get("byteLength"));
+    packed.unpacked_bytes += whole(view.get("byteLength"));
+  }
+
+  GltfInfo::Animation animation(const Node& node) {
+    ObjectReader reader(node);
+    GltfInfo::Animation animation{name_of(reader)};
+    animation.channels = reader.get("channels").items().size();
+    for (const Node& sampler : reader.get("samplers").items()) {
+      ObjectReader input(pointed(ObjectReader(sampler).get("input"), "accessors"));
+      if (const std::optional<Node> most = input.find("max")) {
+        for (const Node& seconds : most->items())
+          animation.seconds = std::max(animation.seconds, seconds.number());
+      }
+    }
+    return animation;
+  }
+
+  GltfInfo::Texture texture(const Node& node, const std::vector<GltfInfo::Image>& images) {
+    ObjectReader reader(node);
+    GltfInfo::Texture texture{name_of(reader), {}};
+    if (const std::optional<Node> source = reader.find("source")) {
+      pointed(*source, "images");
+      const std::uint64_t index = whole(*source);
+      texture.image = images[index].name.empty() ? std::to_string(index) : images[index].name;
+    }
+    return texture;
+  }
+
+  std::uint64_t bytes(const Node& accessor_index) {
+    ObjectReader accessor(pointed(accessor_index, "accessors"));
+    const std::uint64_t component = whole(accessor.get("componentType"));
+    const std::uint64_t size = component < 5122 ? 1 : component < 5125 ? 2 : 4;
+    static const std::vector<std::string> kTypes = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+    static constexpr std::uint64_t kComponents[] = {1, 2, 3, 4, 4, 9, 16};
+    return size * kComponents[accessor.get("type").choice(kTypes)] * whole(accessor.get("count"));
+  }
+
+  // Of all that the vertices have; the members are attributes, of whatever program.
+  std::uint64_t attribute_bytes(const Node& attributes) {
+    std::uint64_t sum = 0;
+    ObjectReader reader(attributes);
+    for (const auto& member : std::get<JsonValue::Object>(attributes.value().data))
+      sum += bytes(reader.get(member.key));
+    return sum;
   }
 
   std::uint64_t count(const Node& accessor_index) {
@@ -93,6 +200,13 @@ class Reader {
       if (kind == 4) mesh.triangles += corners / 3;
       if ((kind == 5 || kind == 6) && corners > 2) mesh.triangles += corners - 2;  // a strip, a fan
       mesh.vertices += vertices;
+      mesh.vertex_bytes += attribute_bytes(primitive.get("attributes"));
+      if (indices) mesh.index_bytes += bytes(*indices);
+      if (const auto targets = primitive.find("targets")) {
+        const std::vector<Node> all = targets->items();
+        mesh.targets = all.size();
+        for (const Node& target : all) mesh.vertex_bytes += attribute_bytes(target);
+      }
       if (const auto material = primitive.find("material"); material && is_first) {
         pointed(*material, "materials");
         mesh.material = materials[whole(*material)].name;
@@ -105,6 +219,9 @@ class Reader {
   GltfInfo::Image image(const Node& node) {
     ObjectReader reader(node);
     GltfInfo::Image image{name_of(reader), {}};
+    if (const auto type = reader.find("mimeType")) {
+      image.format = type->text().compare(0, 6, "image/") == 0 ? type->text().substr(6) : type->text();
+    }
     if (const auto view_index = reader.find("bufferView")) {
       ObjectReader view(pointed(*view_index, "bufferViews"));
       const std::optional<Node> offset = view.find("byteOffset");
@@ -127,6 +244,7 @@ class Reader {
     std::error_code error;
     const std::filesystem::path file = folder_ / percent_decoded(uri);
     const std::uintmax_t size = std::filesystem::file_size(file, error);
+    image.is_missing = static_cast<bool>(error);
     if (error) return image;
     image.bytes = size;
     const std::string content = read_whole_file(file);
@@ -135,9 +253,11 @@ class Reader {
   }
 
   static void set_size(GltfInfo::Image& image, Bytes bytes) {
-    const ImageHeader header = image_header(bytes).value_or(ImageHeader());
-    image.width = header.width;
-    image.height = header.height;
+    const std::optional<ImageHeader> header = image_header(bytes);
+    if (!header) return;
+    image.width = header->width;
+    image.height = header->height;
+    image.format = header->is_jpeg ? "jpeg" : "png";
   }
 
   static std::string percent_decoded(const std::string& uri) {

@@ -15,8 +15,8 @@ tinygltf::Value color(const glm::vec3& value) {
 
 }  // namespace
 
-tinygltf::Material material_entry(const std::string& name, const GltfMaterial& terms,
-                                  std::optional<int> texture, std::set<std::string>& extensions) {
+tinygltf::Material material_entry(const std::string& name, const GltfMaterial& terms, const GltfMaps& maps,
+                                  std::set<std::string>& extensions) {
   tinygltf::Material entry;
   entry.name = name;
   entry.doubleSided = terms.is_double_sided;
@@ -25,7 +25,12 @@ tinygltf::Material material_entry(const std::string& name, const GltfMaterial& t
   pbr.baseColorFactor = {terms.base_color.r, terms.base_color.g, terms.base_color.b, terms.alpha};
   pbr.metallicFactor = terms.metallic;
   pbr.roughnessFactor = terms.roughness;
-  if (texture) pbr.baseColorTexture.index = *texture;
+  if (maps.base_color) pbr.baseColorTexture.index = *maps.base_color;
+  if (maps.normals) {
+    entry.normalTexture.index = maps.normals->texture;
+    entry.normalTexture.scale = maps.normals->scale;
+    entry.normalTexture.texCoord = maps.normals->texcoord;
+  }
 
   const auto extend = [&](const std::string& extension, tinygltf::Value::Object values) {
     extensions.insert(extension);

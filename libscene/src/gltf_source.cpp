@@ -10,6 +10,7 @@
 #include "json_text.hpp"
 #include "object_reader.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/scene/texel_density.hpp"
 
 namespace sweepkit::scene {
 namespace {
@@ -18,6 +19,7 @@ const std::vector<std::string> kLooks = {"full", "unlit", "compatible"};        
 const std::vector<std::string> kPlaces = {"by-container", "embedded", "separate"};  // by GltfImages
 const std::vector<std::string> kFormats = {"png", "jpg"};                           // by ImageFormat
 constexpr int kMostTexels = 32768;
+constexpr double kMostSeconds = 86400;
 
 JsonValue value(std::string text) {
   return {std::move(text), {}};
@@ -28,6 +30,10 @@ void read_options(const Node& node, GltfOptions& options) {
   if (const auto object = reader.find("object")) options.object = object->text();
   if (const auto size = reader.find("bake_size"))
     options.bake_size = size->integer(1, kMostTexels, " texels");
+  if (const auto density = reader.find("texel_density")) {
+    options.texel_density =
+        density->number({.low = kLeastDensity, .high = kMostDensity, .unit = " texels a metre"});
+  }
   if (const auto has = reader.find("tangents")) options.has_tangents = has->boolean();
   if (const auto look = reader.find("look")) options.look = static_cast<GltfLook>(look->choice(kLooks));
   if (const auto in = reader.find("images")) options.images_in = static_cast<GltfImages>(in->choice(kPlaces));
@@ -36,7 +42,13 @@ void read_options(const Node& node, GltfOptions& options) {
   }
   if (const auto size = reader.find("max_texture"))
     options.max_texture = size->integer(0, kMostTexels, " texels");
+  const Range seconds{.low = 0, .high = kMostSeconds};
+  if (const auto turn = reader.find("turntable")) options.turntable_seconds = turn->number(seconds);
+  if (const auto growth = reader.find("grow")) options.grow_seconds = growth->number(seconds);
   if (const auto text = reader.find("copyright")) options.copyright = text->text();
+  if (const auto is = reader.find("quantize")) options.is_quantized = is->boolean();
+  if (const auto bits = reader.find("position_bits")) options.position_bits = bits->integer(8, 16, " bits");
+  if (const auto is = reader.find("meshopt")) options.is_packed = is->boolean();
   reader.finish();
 }
 
@@ -49,6 +61,7 @@ std::string gltf_extras(const GltfOptions& options) {
   const auto add = [&](const char* key, JsonValue what) { members.push_back({key, {}, std::move(what)}); };
   if (options.object) add("object", value(*options.object));
   if (options.bake_size != usual.bake_size) add("bake_size", {static_cast<double>(options.bake_size), {}});
+  if (options.texel_density) add("texel_density", {*options.texel_density, {}});
   if (options.has_tangents) add("tangents", {true, {}});
   if (options.look != usual.look) add("look", value(kLooks[static_cast<std::size_t>(options.look)]));
   if (options.images_in != usual.images_in) {
@@ -60,7 +73,12 @@ std::string gltf_extras(const GltfOptions& options) {
   if (options.max_texture != usual.max_texture) {
     add("max_texture", {static_cast<double>(options.max_texture), {}});
   }
+  if (options.turntable_seconds > 0) add("turntable", {options.turntable_seconds, {}});
+  if (options.grow_seconds > 0) add("grow", {options.grow_seconds, {}});
   if (!options.copyright.empty()) add("copyright", value(options.copyright));
+  if (options.is_quantized) add("quantize", {true, {}});
+  if (options.position_bits) add("position_bits", {static_cast<double>(*options.position_bits), {}});
+  if (options.is_packed) add("meshopt", {true, {}});
   std::string extras = R"({"sweepkit":{"scene":)" + options.scene;
   if (!members.empty()) extras += R"(,"options":)" + json_text({std::move(members), {}});
   return extras + "}}";

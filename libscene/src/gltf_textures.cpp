@@ -10,6 +10,7 @@
 #include "gltf_arrays.hpp"
 #include "image_header.hpp"
 #include "sweepkit/scene/bake_over.hpp"
+#include "sweepkit/scene/texel_density.hpp"
 
 namespace sweepkit::scene {
 
@@ -33,7 +34,7 @@ int GltfTextures::add_image(const Bytes& file, bool is_jpeg, const std::string& 
   const int index = static_cast<int>(model_.images.size());
   written_.emplace(hash, std::pair(file, index));
   tinygltf::Image entry;
-  entry.name = name;
+  if (!options_.is_minimal) entry.name = name;
   if (are_separate_) {
     const std::string beside = stem_ + "_" + std::to_string(index) + (is_jpeg ? ".jpg" : ".png");
     entry.uri = percent_encoded(beside);
@@ -46,10 +47,16 @@ int GltfTextures::add_image(const Bytes& file, bool is_jpeg, const std::string& 
   return index;
 }
 
-int GltfTextures::add_encoded(const std::shared_ptr<const texmap::Image>& image, const std::string& name) {
+int GltfTextures::add_encoded(const std::shared_ptr<const texmap::Image>& image, const std::string& name,
+                              bool is_normal_map) {
   const texmap::ImageFormat format = options_.image_format.value_or(texmap::ImageFormat::kPng);
-  return add_image(images_.encoded(image, {format, options_.max_texture}),
+  return add_image(images_.encoded(image, {format, options_.max_texture, is_normal_map}),
                    format == texmap::ImageFormat::kJpeg, name);
+}
+
+bool GltfTextures::is_normal_map(std::size_t texture) const {
+  return std::ranges::any_of(scene_.materials,
+                             [&](const Material& material) { return material.normal_map == texture; });
 }
 
 // glTF's colours are sRGB, and viewers know PNG and JPEG. A JPEG for printing or one that Exif turns is shown
@@ -57,7 +64,8 @@ int GltfTextures::add_encoded(const std::shared_ptr<const texmap::Image>& image,
 GltfTextures::Bytes GltfTextures::unchanged(std::size_t texture) {
   if (texture >= scene_.texture_sources.size()) return nullptr;
   const ImageSource& source = scene_.texture_sources[texture];
-  if (source.file.empty() || source.color_space != texmap::ColorSpace::kSrgb) return nullptr;
+  const auto fitting = is_normal_map(texture) ? texmap::ColorSpace::kLinear : texmap::ColorSpace::kSrgb;
+  if (source.file.empty() || source.color_space != fitting) return nullptr;
   std::string ending = source.file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
   if (ending != ".png" && ending != ".jpg" && ending != ".jpeg") return nullptr;
@@ -96,21 +104,26 @@ int GltfTextures::image_texture(std::size_t index) {
   const auto& [image, wrap, file] = std::get<texmap::ImageTexture>(scene_.textures[index]);
   const std::string& name = scene_.texture_names[index];
   const Bytes bytes = unchanged(index);
-  const int entry = bytes ? add_image(bytes, image_header(*bytes)->is_jpeg, name) : add_encoded(image, name);
+  const int entry = bytes ? add_image(bytes, image_header(*bytes)->is_jpeg, name)
+                          : add_encoded(image, name, is_normal_map(index));
   return image_textures_[index] = add_texture(entry, wrap);
 }
 
 int GltfTextures::baked_texture(const Object& object, const texmap::Procedural& procedural,
                                 std::vector<texmap::UvTransform>& transforms) {
-  const int size =
-      options_.max_texture > 0 ? std::min(options_.bake_size, options_.max_texture) : options_.bake_size;
+  BakeSize wanted{.size = options_.bake_size, .density = options_.texel_density};
+  if (options_.max_texture > 0) {
+    wanted.size = std::min(wanted.size, options_.max_texture);
+    wanted.most = std::min(wanted.most, options_.max_texture);
+  }
+  const MeshView& mesh = scene_.meshes[object.mesh];
+  const glm::ivec2 size = bake_size_of(mesh, glm::dmat3(object.world_from_object), procedural, wanted);
   if (texmap::repeats_in_unit_square(procedural)) {
     const StoredImage baked = images_.bake(procedural, size);
     if (baked.is_new) count_bake(*baked.image);
     return add_texture(add_encoded(baked.image, object.name), texmap::Wrap::kRepeat);
   }
-  texmap::BakedTexture baked =
-      bake_over(scene_.meshes[object.mesh], procedural, {.width = size, .height = size});
+  texmap::BakedTexture baked = bake_over(mesh, procedural, {.width = size.x, .height = size.y});
   transforms = std::move(baked.transforms);
   count_bake(baked.image);
   const auto image = std::make_shared<const texmap::Image>(std::move(baked.image));

@@ -27,7 +27,8 @@ class GltfTextures {
   GltfTextures(tinygltf::Model& model, GltfBuffer& buffer, GltfFile& result, const Scene& scene,
                const GltfOptions& options, std::string stem, bool are_separate);
 
-  /// An image texture of the scene: its index in the model.
+  /// An image texture of the scene: its index in the model. A material's normal map keeps its numbers as they
+  /// are, where colours become sRGB.
   int image_texture(std::size_t index);
   /// A procedural texture as it lies on that surface. `transforms` become those of the mesh's (u,v), empty
   /// for the identity.
@@ -40,9 +41,11 @@ class GltfTextures {
   int add_texture(int image, texmap::Wrap wrap);
   /// One for images of equal bytes.
   int add_image(const Bytes& file, bool is_jpeg, const std::string& name);
-  int add_encoded(const std::shared_ptr<const texmap::Image>& image, const std::string& name);
+  int add_encoded(const std::shared_ptr<const texmap::Image>& image, const std::string& name,
+                  bool is_normal_map = false);
   /// The file itself, if it may stand in a glTF as it is.
   Bytes unchanged(std::size_t texture);
+  bool is_normal_map(std::size_t texture) const;
   void count_bake(const texmap::Image& image);
 
   tinygltf::Model& model_;

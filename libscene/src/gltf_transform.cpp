@@ -24,4 +24,11 @@ std::optional<NodeTransform> decompose(const glm::dmat4& matrix) {
   return transform;
 }
 
+void place(tinygltf::Node& node, const NodeTransform& transform) {
+  const auto& [t, r, s] = transform;
+  if (t != glm::dvec3(0.0)) node.translation = {t.x, t.y, t.z};
+  if (r != glm::dvec4(0, 0, 0, 1)) node.rotation = {r.x, r.y, r.z, r.w};
+  if (s != glm::dvec3(1.0)) node.scale = {s.x, s.y, s.z};
+}
+
 }  // namespace sweepkit::scene

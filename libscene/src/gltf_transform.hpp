@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <tiny_gltf.h>
+
 #include <glm/glm.hpp>
 #include <optional>
 
@@ -17,5 +19,8 @@ struct NodeTransform {
 /// The three steps of an affine matrix; none if it shears (glTF has no node for that). A mirroring one gets a
 /// negative x scale. Precondition: not singular.
 std::optional<NodeTransform> decompose(const glm::dmat4& matrix);
+
+/// Gives a node its place; what is the identity is not written.
+void place(tinygltf::Node& node, const NodeTransform& transform);
 
 }  // namespace sweepkit::scene

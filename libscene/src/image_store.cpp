@@ -17,6 +17,7 @@
 
 #include "sweepkit/error.hpp"
 #include "sweepkit/texmap/bake.hpp"
+#include "sweepkit/texmap/normal_image.hpp"
 #include "sweepkit/texmap/shrink.hpp"
 
 namespace sweepkit::scene {
@@ -34,7 +35,7 @@ struct FileKey {
 
 struct BakeKey {
   texmap::Procedural procedural;
-  int size = 0;
+  glm::ivec2 size{0};
   bool operator==(const BakeKey&) const = default;
 };
 
@@ -60,9 +61,12 @@ struct Entry {
 std::shared_ptr<const Bytes> encode(const texmap::Image& image, const ImageForm& form) {
   const glm::ivec2 size(image.width, image.height);
   const glm::ivec2 fitting = form.most_texels > 0 ? texmap::fitting_size(size, form.most_texels) : size;
-  return std::make_shared<const Bytes>(
-      fitting == size ? texmap::encode_image(image, form.format)
-                      : texmap::encode_image(texmap::shrink(image, fitting), form.format));
+  const auto write = [&](const texmap::Image& fitted) {
+    return std::make_shared<const Bytes>(texmap::encode_image(
+        fitted, form.format, form.is_normal_map ? texmap::ColorSpace::kLinear : texmap::ColorSpace::kSrgb));
+  };
+  if (fitting == size) return write(image);
+  return write(form.is_normal_map ? texmap::shrink_normals(image, fitting) : texmap::shrink(image, fitting));
 }
 
 Bytes read_bytes(const std::filesystem::path& file) {
@@ -139,9 +143,9 @@ StoredImage ImageStore::read(const std::filesystem::path& file, texmap::ColorSpa
   return shelf_->image(FileKey{file, color_space}, [&] { return texmap::read_image(file, color_space); });
 }
 
-StoredImage ImageStore::bake(const texmap::Procedural& procedural, int size) {
+StoredImage ImageStore::bake(const texmap::Procedural& procedural, glm::ivec2 size) {
   return shelf_->image(BakeKey{procedural, size}, [&] {
-    return texmap::bake(procedural, {}, {size, size}).image;
+    return texmap::bake(procedural, {}, {size.x, size.y}).image;
   });
 }
 

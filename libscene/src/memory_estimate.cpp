@@ -54,6 +54,7 @@ Counts counts_of(const Piece& piece) {
 MemoryEstimate estimate_memory(const Document& document) {
   MemoryEstimate estimate;
   for (const ObjectEntry& object : document.objects) {
+    const bool has_tangents = object.material && document.materials[*object.material].normal_map;
     std::uint64_t largest = 0;
     for (const Piece& piece : object.pieces) {
       const Counts counts = counts_of(piece);
@@ -65,7 +66,7 @@ MemoryEstimate estimate_memory(const Document& document) {
       const std::uint64_t bytes =
           counts.bytes + counts.vertices * kBytesAVertex + counts.triangles * kBytesATriangle;
       estimate.triangles += counts.triangles;
-      estimate.bytes += bytes;
+      estimate.bytes += bytes + (has_tangents ? counts.vertices * sizeof(glm::vec4) : 0);
       largest = std::max(largest, bytes);
     }
     // Parts, and what is placed, are made by themselves and then copied.

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
 #include "make_mesh.hpp"
+#include "scene_bounds.hpp"
 #include "sweepkit/scene/image_store.hpp"
 #include "sweepkit/scene/turntable.hpp"
+#include "sweepkit/sweep/tangents.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
@@ -36,17 +37,27 @@ auto at_place(const Place& place, Make&& make) {
 
 // Made where it will stay: OpenMesh has no move, so every other way would copy it.
 std::unique_ptr<const sweep::Mesh> make_object(const ObjectEntry& object, const MeshNeeds& needs,
-                                               Cost& layout_cost) {
+                                               Cost& layout_cost, std::vector<SweptPart>& swept) {
+  const auto note = [&](const Piece& piece, std::size_t first, std::size_t end) {
+    const bool is_revolve = std::holds_alternative<RevolveShape>(piece.shape);
+    if (!is_revolve && !std::holds_alternative<SweepShape>(piece.shape)) return;
+    swept.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first),
+                     is_revolve ? SweptPart::Along::kU : SweptPart::Along::kV});
+  };
   const Piece& first = object.pieces.front();
   if (object.pieces.size() == 1 && to_matrix(first.placement) == glm::dmat4(1.0)) {
     return at_place(first.place, [&] {
-      return std::unique_ptr<const sweep::Mesh>(new sweep::Mesh(make_mesh(first, needs, layout_cost)));
+      auto mesh = std::unique_ptr<const sweep::Mesh>(new sweep::Mesh(make_mesh(first, needs, layout_cost)));
+      note(first, 0, mesh->areas.size());
+      return mesh;
     });
   }
   auto whole = std::make_unique<sweep::Mesh>();
   for (const Piece& piece : object.pieces) {
     at_place(piece.place, [&] {
+      const std::size_t areas = whole->areas.size();
       sweep::append(*whole, make_mesh(piece, needs, layout_cost), to_matrix(piece.placement));
+      note(piece, areas, whole->areas.size());
       return true;
     });
   }
@@ -84,48 +95,12 @@ texmap::Texture load_texture(const TextureEntry& entry, const Plan& plan, bool i
   }
 }
 
-struct Bounds {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-};
-
-void add(Bounds& bounds, const glm::dvec3& point) {
-  bounds.low = glm::min(bounds.low, point);
-  bounds.high = glm::max(bounds.high, point);
-}
-
-Bounds bounds_of(const Scene& scene) {
-  Bounds bounds;
-  Bounds local;  // of the mesh whose further instances follow
-  for (const Object& object : scene.objects) {
-    const MeshView& mesh = scene.meshes[object.mesh];
-    if (object.instance == 0) {
-      local = Bounds();
-      for (const glm::vec3& position : mesh.positions) {
-        const glm::dvec3 at = glm::dvec3(position) + mesh.origin;
-        add(local, at);
-        add(bounds, glm::dvec3(object.world_from_object * glm::dvec4(at, 1)));
-      }
-    } else {
-      // Every vertex of a million instances would take minutes; the corners of their boxes are a little
-      // farther out.
-      for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 at((corner & 1) != 0 ? local.high.x : local.low.x,
-                            (corner & 2) != 0 ? local.high.y : local.low.y,
-                            (corner & 4) != 0 ? local.high.z : local.low.z);
-        add(bounds, glm::dvec3(object.world_from_object * glm::dvec4(at, 1)));
-      }
-    }
-  }
-  return bounds;
-}
-
 // A three-quarter view from above that holds the sphere about everything.
 void frame(Scene& scene) {
   const Bounds bounds = bounds_of(scene);
-  const double radius = 0.5 * glm::length(bounds.high - bounds.low);
+  const double radius = bounds.radius();
   Camera& camera = scene.camera;
-  camera.target = 0.5 * (bounds.low + bounds.high);
+  camera.target = bounds.center();
   const double half_height = std::tan(0.5 * camera.fov_deg * std::numbers::pi / 180);
   const double half_width = half_height * scene.width / scene.height;
   const double distance = radius / std::sin(std::atan(std::min(half_height, half_width)));
@@ -152,6 +127,17 @@ std::size_t count_objects(const Document& document) {
   return count;
 }
 
+// For the mesh that was made last.
+void add_tangents(Model& model, const Document& document, const ObjectEntry& entry) {
+  if (!entry.material || !document.materials[*entry.material].normal_map) return;
+  MeshView& mesh = model.scene.meshes.back();
+  model.tangents.push_back(
+      sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles));
+  mesh.tangents = model.tangents.back();  // where it stays when the list grows
+  model.ledger[Part::kNormalMaps].bytes += mesh.tangents.size_bytes();
+  model.ledger[Part::kNormalMaps].calls += 1;
+}
+
 }  // namespace
 
 std::optional<double> deviation_of(const Model& model, const Object& object) {
@@ -176,11 +162,20 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
   scene.objects.reserve(count_objects(document));
   Clock::time_point start = Clock::now();
   for (const ObjectEntry& entry : document.objects) {
-    model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts]));
+    std::vector<SweptPart> swept;
+    model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts], swept));
     const sweep::Mesh& mesh = *model.meshes.back();
     add_objects(scene, entry);
-    scene.meshes.push_back({mesh.positions(), mesh.normals(), mesh.texcoords(), mesh.triangles, mesh.patches,
-                            mesh.areas, mesh.origin});
+    scene.meshes.push_back({mesh.positions(),
+                            mesh.normals(),
+                            mesh.texcoords(),
+                            mesh.triangles,
+                            mesh.patches,
+                            mesh.areas,
+                            mesh.origin,
+                            {},
+                            std::move(swept)});
+    if (plan.needs_part(Part::kNormalMaps)) add_tangents(model, document, entry);
     if (needs.half_edges) {
       model.ledger[Part::kHalfEdges].bytes += mesh.half_edge_bytes();
       model.ledger[Part::kHalfEdges].calls += 1;

@@ -11,7 +11,10 @@
 #include <algorithm>
 #include <array>
 
+#include "message_text.hpp"
+#include "sweepkit/error.hpp"
 #include "sweepkit/scene/bake_over.hpp"
+#include "sweepkit/scene/texel_density.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
@@ -82,12 +85,15 @@ std::string ObjMaterials::add_file(std::vector<std::byte> png) {
 
 ObjMaterials::Image ObjMaterials::write_image(const Object& object, std::size_t texture) {
   if (const auto* image = std::get_if<texmap::ImageTexture>(&scene_.textures[texture])) {
+    const bool is_normal_map = std::ranges::any_of(
+        scene_.materials, [&](const Material& material) { return material.normal_map == texture; });
     if (image->wrap == texmap::Wrap::kMirror) {
-      return {
-          .file = add_file(texmap::encode_image(mirrored_image(*image->image), texmap::ImageFormat::kPng)),
-          .uv_factor = 0.5f};
+      return {.file = add_file(texmap::encode_image(
+                  mirrored_image(*image->image), texmap::ImageFormat::kPng,
+                  is_normal_map ? texmap::ColorSpace::kLinear : texmap::ColorSpace::kSrgb)),
+              .uv_factor = 0.5f};
     }
-    return {.file = add_file(*images_.encoded(image->image)),
+    return {.file = add_file(*images_.encoded(image->image, {.is_normal_map = is_normal_map})),
             .is_clamped = image->wrap == texmap::Wrap::kClamp};
   }
   const auto& procedural = std::get<texmap::Procedural>(scene_.textures[texture]);
@@ -95,13 +101,15 @@ ObjMaterials::Image ObjMaterials::write_image(const Object& object, std::size_t 
     ledger_[Part::kBakes].calls += 1;
     ledger_[Part::kBakes].bytes += image.bytes();
   };
+  const MeshView& mesh = scene_.meshes[object.mesh];
+  const glm::ivec2 size = bake_size_of(mesh, glm::dmat3(object.world_from_object), procedural,
+                                       {.size = options_.bake_size, .density = options_.texel_density});
   if (texmap::repeats_in_unit_square(procedural)) {
-    const StoredImage baked = images_.bake(procedural, options_.bake_size);
+    const StoredImage baked = images_.bake(procedural, size);
     if (baked.is_new) count(*baked.image);
     return {.file = add_file(*images_.encoded(baked.image))};
   }
-  texmap::BakedTexture baked =
-      bake_over(scene_.meshes[object.mesh], procedural, {options_.bake_size, options_.bake_size});
+  texmap::BakedTexture baked = bake_over(mesh, procedural, {size.x, size.y});
   count(baked.image);
   return {.file = add_file(texmap::encode_image(baked.image, texmap::ImageFormat::kPng)),
           .is_clamped = true,
@@ -117,18 +125,32 @@ const ObjMaterials::Image* ObjMaterials::image_of(const Object& object, std::siz
   return &image_entries_.emplace(key, write_image(object, texture)).first->second;
 }
 
+const ObjMaterials::Image* ObjMaterials::normals_of(const Object& object, const Material& material,
+                                                    const Image* colors) {
+  if (!material.normal_map || !plan_.textures[*material.normal_map]) return nullptr;
+  const Image* normals = image_of(object, *material.normal_map);
+  if (colors == nullptr || (colors->transforms.empty() && colors->uv_factor == normals->uv_factor))
+    return normals;
+  throw InputError("the material " + in_quotes(material.name) +
+                   (colors->transforms.empty()
+                        ? " has a texture and a normal map of which one alone is mirrored"
+                        : " has a normal map, and colours that are baked with (u,v) of their own") +
+                   ", and .obj has one (u,v) for both; write a .glb, or leave the normal map out");
+}
+
 ObjMaterials::Use ObjMaterials::use(const Object& object) {
   static const std::vector<texmap::UvTransform> kNone;
   if (!are_needed_) return {"", &kNone};
   const Material material = object.material ? scene_.materials[*object.material] : Material{};
   const bool has_texture = material.texture && plan_.textures[*material.texture];
   const Image* image = has_texture ? image_of(object, *material.texture) : nullptr;
+  const Image* normals = normals_of(object, material, image);
   const auto [entry, is_new] = entries_.try_emplace({object.material, image});
   if (is_new) {
-    entry->second = {names_.unique(object.material ? material.name : "default"), image};
+    entry->second = {names_.unique(object.material ? material.name : "default"), image, normals};
     write_material(material, entry->second);
   }
-  if (image == nullptr) return {entry->second.name, &kNone};
+  if (image == nullptr) return {entry->second.name, &kNone, normals != nullptr ? normals->uv_factor : 1};
   return {entry->second.name, &image->transforms, image->uv_factor};
 }
 
@@ -158,9 +180,12 @@ void ObjMaterials::write_material(const Material& material, const Entry& entry) 
                     : has_highlight        ? 2
                                            : 1;
   library_.text("illum " + std::to_string(illum) + "\n");
-  if (entry.image == nullptr) return;
-  library_.text(std::string("map_Kd ") + (entry.image->is_clamped ? "-clamp on " : "") + entry.image->file +
-                "\n");
+  const auto map = [&](const char* key, const Image* image) {
+    if (image != nullptr)
+      library_.text(std::string(key) + (image->is_clamped ? "-clamp on " : "") + image->file + "\n");
+  };
+  map("map_Kd ", entry.image);
+  map("norm ", entry.normals);
 }
 
 std::vector<NamedBytes> ObjMaterials::take_files(const std::string& title) {

@@ -63,9 +63,13 @@ class ObjMaterials {
   struct Entry {
     std::string name;
     const Image* image = nullptr;
+    const Image* normals = nullptr;
   };
   const Image* image_of(const Object& object, std::size_t texture);
   Image write_image(const Object& object, std::size_t texture);
+  /// The material's normal map, which has to do with the (u,v) of its colours. Throws InputError if it
+  /// cannot.
+  const Image* normals_of(const Object& object, const Material& material, const Image* colors);
   std::string add_file(std::vector<std::byte> png);
   void write_material(const Material& material, const Entry& entry);
 

@@ -145,6 +145,10 @@ class Descriptor {
       bytes = bytes.subspan(static_cast<std::size_t>(count));
     }
   }
+  void write(const OutputFile& file) const {
+    write(file.bytes);
+    for (const std::span<const std::byte> piece : file.more) write(piece);
+  }
   void set_mode(mode_t mode) const { ::fchmod(number_, mode); }
   // Some disks tell only now that they are full.
   void close() {
@@ -169,7 +173,7 @@ void write_in_place(const OutputFile& file) {
   const bool is_standard = is_standard_output(file.path);
   Descriptor descriptor(is_standard ? ::dup(STDOUT_FILENO) : ::open(file.path.c_str(), O_WRONLY | O_CLOEXEC),
                         is_standard ? "standard output" : file.path);
-  descriptor.write(file.bytes);
+  descriptor.write(file);
   descriptor.close();
 }
 
@@ -189,7 +193,7 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-FileBeside write_beside(const std::filesystem::path& target, std::span<const std::byte> bytes) {
+FileBeside write_beside(const std::filesystem::path& target, const OutputFile& content) {
   static std::atomic<unsigned> names = 0;
   FileBeside file;
   int number = -1;
@@ -201,7 +205,7 @@ FileBeside write_beside(const std::filesystem::path& target, std::span<const std
   Descriptor descriptor(number, target);
   struct stat before = {};
   if (::stat(target.c_str(), &before) == 0) descriptor.set_mode(before.st_mode & 07777);
-  descriptor.write(bytes);
+  descriptor.write(content);
   descriptor.close();
   return file;
 }
@@ -241,7 +245,7 @@ void StagedFiles::add(const OutputFile& file) {
     return;
   }
   std::filesystem::path target = real_target(file.path);
-  FileBeside beside = write_beside(target, file.bytes);
+  FileBeside beside = write_beside(target, file);
   parts_->renames.emplace_back(std::move(beside), std::move(target));
 }
 

@@ -15,7 +15,9 @@ struct Usage {
   std::vector<bool> textures;
   bool has_texture = false;
   bool has_image = false;
+  bool has_color_image = false;
   bool has_procedural = false;
+  bool has_normal_map = false;
   bool reads_uv = false;
   bool reflects = false;
   bool transmits = false;
@@ -23,7 +25,7 @@ struct Usage {
   bool has_mesh_file = false;
 };
 
-Usage usage_of(const Document& document) {
+Usage usage_of(const Document& document, bool has_normal_maps) {
   Usage usage;
   usage.textures.assign(document.textures.size(), false);
   for (const ObjectEntry& object : document.objects) {
@@ -35,6 +37,10 @@ Usage usage_of(const Document& document) {
     usage.transmits |= material.transmit > 0;
     usage.has_fresnel |=
         material.fresnel != Fresnel::kNone && (material.reflect > 0 || material.transmit > 0);
+    if (material.normal_map && has_normal_maps) {
+      usage.textures[*material.normal_map] = true;
+      usage.has_normal_map = usage.has_texture = usage.has_image = true;
+    }
     if (!material.texture) continue;
     usage.textures[*material.texture] = true;
     usage.has_texture = true;
@@ -43,7 +49,7 @@ Usage usage_of(const Document& document) {
       usage.has_procedural = true;
       usage.reads_uv |= procedural->on == texmap::ProceduralOn::kUv;
     } else {
-      usage.has_image = true;
+      usage.has_image = usage.has_color_image = true;
       usage.reads_uv = true;
     }
   }
@@ -81,19 +87,20 @@ std::string_view part_name(Part part) {
       "integral tables", "texture tiles",      "(u,v) at hits",    "filtered nodes",  "ray differentials",
       "row buffers",     "intersection trees", "refractions",      "shares by angle", "shadow rays",
       "dimmed shadows",  "shadow edges",       "background image", "supersampling",   "refinement",
-      "layers",          "tree over objects"};
+      "layers",          "tree over objects",  "normal maps"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
 Plan plan(const Document& document, const Request& request) {
-  Usage usage = usage_of(document);
+  Usage usage = usage_of(document, request.has_normal_maps);
   const bool is_picture = request.product == Request::Product::kPicture;
   const bool is_mesh_file = request.product == Request::Product::kMeshFile;
   const bool can_hold_textures = !is_mesh_file || request.has_textures;
   const bool has_image = is_picture && usage.has_image;
   const bool has_tables = has_image && texmap::reads_table(request.filter);
-  const bool is_filtered = usage.has_procedural ? request.filter != texmap::Filter::kPoint
-                                                : usage.has_image && texmap::reads_footprint(request.filter);
+  const bool is_filtered = usage.has_procedural
+                               ? request.filter != texmap::Filter::kPoint
+                               : usage.has_color_image && texmap::reads_footprint(request.filter);
   const bool has_footprints = is_picture && is_filtered;
   const bool has_light = !document.lights.empty() || !document.has_ambient;
 
@@ -107,8 +114,8 @@ Plan plan(const Document& document, const Request& request) {
 
   row(Part::kHalfEdges, request.has_half_edges,
       request.has_half_edges ? "someone walks them" : "nobody walks them");
-  const bool shows_uv =
-      is_picture ? usage.reads_uv || request.shows_texcoords : !is_mesh_file || request.has_texcoords;
+  const bool shows_uv = is_picture ? usage.reads_uv || usage.has_normal_map || request.shows_texcoords
+                                   : !is_mesh_file || request.has_texcoords;
   row(Part::kLayouts, usage.has_mesh_file && shows_uv,
       !usage.has_mesh_file ? "no object is a mesh file"
       : shows_uv           ? "mesh files without (u,v) are laid out over the texture"
@@ -138,12 +145,13 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kTables, has_tables, usage.has_image ? filter : no_image);
   picture_row(Part::kTiles, has_image && !has_tables, usage.has_image ? filter : no_image);
   picture_row(Part::kTexcoords, usage.reads_uv,
-              usage.reads_uv ? "textures are looked up by (u,v)" : "no texture reads (u,v)");
+              usage.reads_uv ? "textures are looked up by (u,v)" : "no texture of colours reads (u,v)");
   const bool has_neighbours = has_footprints && request.has_neighbours;
   // The rays that refine a pixel have no neighbours to look at.
   const bool has_differentials = has_footprints && (request.has_differentials || request.is_refined);
   const bool has_shadow_edges = has_light && request.has_smooth_shadows;
-  const std::string no_footprints = usage.has_texture ? filter : "no texture is used";
+  const std::string no_footprints =
+      usage.has_color_image || usage.has_procedural ? filter : "no texture of colours is used";
   picture_row(Part::kFilteredNodes, has_neighbours,
               has_neighbours   ? "textured hits are filtered over their neighbours"
               : has_footprints ? "footprints come from ray differentials"
@@ -198,6 +206,13 @@ Plan plan(const Document& document, const Request& request) {
       });
   picture_row(Part::kObjectTree, has_several,
               has_several ? "there are several objects" : "there is one object");
+
+  const bool has_tangents = is_picture || (is_mesh_file && request.has_tangents);
+  row(Part::kNormalMaps, usage.has_normal_map && has_tangents,
+      !usage.has_normal_map ? "no material in use has a normal map"
+      : has_tangents        ? "materials in use have normal maps, which lie in the tangents' frames"
+      : is_mesh_file        ? "the file cannot hold tangents"
+                            : "no surface is shaded");
 
   plan.texture_memory = request.texture_memory;
   if (!can_hold_textures) usage.textures.assign(document.textures.size(), false);

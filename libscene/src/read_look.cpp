@@ -115,21 +115,40 @@ std::vector<TextureEntry> read_textures(const Node& node, const std::filesystem:
   return textures;
 }
 
+namespace {
+
+std::size_t find_texture(const Node& node, const std::vector<TextureEntry>& textures) {
+  const auto found = std::find_if(textures.begin(), textures.end(),
+                                  [&](const TextureEntry& entry) { return entry.name == node.text(); });
+  if (found == textures.end()) {
+    std::vector<std::string> names;
+    names.reserve(textures.size());
+    for (const TextureEntry& entry : textures) names.push_back(entry.name);
+    node.fail(unknown_name("texture", node.text(), names));
+  }
+  return static_cast<std::size_t>(found - textures.begin());
+}
+
+void read_normal_map(ObjectReader& reader, const std::vector<TextureEntry>& textures, Material& material) {
+  const std::optional<Node> map = reader.find("normal_map");
+  const std::optional<Node> strength = reader.find("normal_strength");
+  if (strength && !map) strength->fail("needs \"normal_map\" beside it");
+  if (!map) return;
+  material.normal_map = find_texture(*map, textures);
+  if (!std::holds_alternative<ImageEntry>(textures[*material.normal_map].source)) {
+    map->fail("needs an image: \"" + map->text() +
+              "\" is procedural; sweepkit bake --normals makes an image of it");
+  }
+  if (strength) material.normal_strength = static_cast<float>(strength->number({.low = 0, .high = 1000}));
+}
+
+}  // namespace
+
 Material read_material(const std::string& name, const Node& node, const std::vector<TextureEntry>& textures) {
   ObjectReader reader(node);
   Material material{.name = name};
   if (const auto diffuse = reader.find("diffuse")) material.diffuse = diffuse->color(1);
-  if (const auto texture = reader.find("texture")) {
-    const auto found = std::find_if(textures.begin(), textures.end(),
-                                    [&](const TextureEntry& entry) { return entry.name == texture->text(); });
-    if (found == textures.end()) {
-      std::vector<std::string> names;
-      names.reserve(textures.size());
-      for (const TextureEntry& entry : textures) names.push_back(entry.name);
-      texture->fail(unknown_name("texture", texture->text(), names));
-    }
-    material.texture = static_cast<std::size_t>(found - textures.begin());
-  }
+  if (const auto texture = reader.find("texture")) material.texture = find_texture(*texture, textures);
   if (const auto specular = reader.find("specular")) material.specular = specular->color(1);
   if (const auto shininess = reader.find("shininess")) {
     material.shininess = static_cast<float>(shininess->number({.low = 0, .high = 1e6}));
@@ -145,6 +164,7 @@ Material read_material(const std::string& name, const Node& node, const std::vec
   if (const auto absorption = reader.find("absorption")) material.absorption = absorption->color(1e9);
   if (const auto fresnel = reader.find("fresnel"))
     material.fresnel = static_cast<Fresnel>(fresnel->choice({"none", "schlick", "exact"}));
+  read_normal_map(reader, textures, material);
   reader.finish();
   return material;
 }

@@ -24,7 +24,8 @@ Camera turned(const Camera& camera, double degrees) {
 
 void look_from(Scene& scene, const Document& document, const Camera& camera) {
   scene.camera = camera;
-  if (has_default_light(document)) scene.lights = {default_light(camera)};
+  scene.has_default_light = has_default_light(document);
+  if (scene.has_default_light) scene.lights = {default_light(camera)};
 }
 
 }  // namespace sweepkit::scene

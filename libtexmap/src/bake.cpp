@@ -22,10 +22,6 @@
 namespace sweepkit::texmap {
 namespace {
 
-int gutter_of(const BakeOptions& options) {
-  return std::max(4, std::min(options.width, options.height) / 64);
-}
-
 std::uint16_t to_sample(float value) {
   return static_cast<std::uint16_t>(std::lround(65535.0f * std::clamp(value, 0.0f, 1.0f)));
 }
@@ -186,6 +182,16 @@ void fill_uncovered(Canvas& canvas) {
 
 }  // namespace
 
+glm::ivec2 bake_cells(std::size_t areas) {
+  const int columns =
+      static_cast<int>(std::ceil(std::sqrt(static_cast<double>(std::max<std::size_t>(areas, 1)))));
+  return {columns, std::max(1, (static_cast<int>(areas) + columns - 1) / columns)};
+}
+
+int bake_gutter(glm::ivec2 size) {
+  return std::max(4, std::min(size.x, size.y) / 64);
+}
+
 BakedTexture bake(const Texture& texture, const BakeSurface& surface, const BakeOptions& options) {
   constexpr int kMostTexels = 32768;
   if (options.width < 1 || options.height < 1 || options.width > kMostTexels ||
@@ -200,12 +206,12 @@ BakedTexture bake(const Texture& texture, const BakeSurface& surface, const Bake
   }
 
   // A grid of equal cells, one an area, with a gutter inside each.
-  const int columns =
-      static_cast<int>(std::ceil(std::sqrt(static_cast<double>(std::max<std::size_t>(areas, 1)))));
-  const int rows = std::max(1, (static_cast<int>(areas) + columns - 1) / columns);
+  const glm::ivec2 cells = bake_cells(areas);
+  const int columns = cells.x;
   const glm::dvec2 size(options.width, options.height);
-  const glm::dvec2 cell = glm::dvec2(1.0) / glm::dvec2(columns, rows);
-  const glm::dvec2 gutter = glm::min(glm::dvec2(gutter_of(options)) / size, 0.25 * cell);
+  const glm::dvec2 cell = glm::dvec2(1.0) / glm::dvec2(cells);
+  const glm::dvec2 gutter =
+      glm::min(glm::dvec2(bake_gutter({options.width, options.height})) / size, 0.25 * cell);
   const auto period_of = [&](std::size_t area) {
     return area < surface.periods.size() ? surface.periods[area] : glm::dvec2(0.0);
   };

@@ -21,11 +21,14 @@ TEST(GltfAgain, HasTheSameBytes) {
   const Workshop workshop;
   workshop.write("s.json", kCheckered);
   const std::vector<std::vector<std::string>> variants = {
-      {},
+      {"--max-texture", "32"},
       {"--bake-size", "32"},
+      {"--texel-density", "8.5"},
       {"--bake-size", "32", "--object", "floor", "--tangents", "--unlit"},
+      {"--bake-size", "32", "--turntable", "6.5"},
       {"--bake-size", "64", "--max-texture", "16", "--compatible", "--image-format", "jpg", "--copyright",
        "© me"},
+      {"--bake-size", "16", "--quantize", "--position-bits", "12", "--meshopt"},
       {"--bake-size", "16", "--set", "/objects/0/scale=2"}};
   for (const std::vector<std::string>& variant : variants) {
     std::vector<std::string> arguments = {"generate", "s.json", "-o", "a.glb"};

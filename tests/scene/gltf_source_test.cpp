@@ -50,32 +50,45 @@ TEST_F(GltfSourceTest, ReturnsTheSceneAndEveryOption) {
   const SceneFile scene(kScene, "s.json");
   GltfOptions options{.object = "vase",
                       .bake_size = 77,
+                      .texel_density = 12.5,
                       .has_tangents = true,
                       .look = GltfLook::kUnlit,
                       .images_in = GltfImages::kSeparate,
                       .image_format = texmap::ImageFormat::kJpeg,
                       .max_texture = 99,
+                      .turntable_seconds = 2.5,
                       .copyright = "© \"me\"",
+                      .is_quantized = true,
+                      .position_bits = 12,
+                      .is_packed = true,
                       .scene = scene.text()};
   for (const char* name : {"a.glb", "a.gltf"}) {
     const GltfSource source = read_gltf_source(write(make(kScene, name, options)));
     EXPECT_EQ(source.scene, options.scene);
     EXPECT_EQ(source.options.object, options.object);
     EXPECT_EQ(source.options.bake_size, options.bake_size);
+    EXPECT_EQ(source.options.texel_density, options.texel_density);
     EXPECT_EQ(source.options.has_tangents, options.has_tangents);
     EXPECT_EQ(source.options.look, options.look);
     EXPECT_EQ(source.options.images_in, options.images_in);
     EXPECT_EQ(source.options.image_format, options.image_format);
     EXPECT_EQ(source.options.max_texture, options.max_texture);
+    EXPECT_EQ(source.options.turntable_seconds, options.turntable_seconds);
     EXPECT_EQ(source.options.copyright, options.copyright);
+    EXPECT_EQ(source.options.is_quantized, options.is_quantized);
+    EXPECT_EQ(source.options.position_bits, options.position_bits);
+    EXPECT_EQ(source.options.is_packed, options.is_packed);
   }
   options.image_format = texmap::ImageFormat::kPng;
   options.images_in = GltfImages::kEmbedded;
   options.look = GltfLook::kCompatible;
+  options.is_quantized = options.is_packed = false;  // what grows is neither
+  options.grow_seconds = 7;
   const GltfSource source = read_gltf_source(write(make(kScene, "a.glb", options)));
   EXPECT_EQ(source.options.image_format, options.image_format);
   EXPECT_EQ(source.options.images_in, options.images_in);
   EXPECT_EQ(source.options.look, options.look);
+  EXPECT_EQ(source.options.grow_seconds, options.grow_seconds);
 }
 
 TEST_F(GltfSourceTest, UsualOptionsTakeNoPlaceAndWithoutASceneThereAreNoExtras) {

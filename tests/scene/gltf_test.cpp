@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "image_header.hpp"
 #include "parsed_gltf.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/model.hpp"
@@ -226,7 +227,16 @@ TEST(Gltf, ProceduralTexturesAreBakedOnceForEachSurface) {
   EXPECT_EQ(parsed.root["images"].size(), 2u);
   EXPECT_EQ(parsed.root["materials"].size(), 2u);
   EXPECT_EQ(parsed.file.ledger[Part::kBakes].calls, 2u);
-  EXPECT_EQ(parsed.file.ledger[Part::kBakes].bytes, 2u * 32 * 32 * 3 * 2) << "16-bit RGB";
+  std::uint64_t texels = 0;
+  for (const json& image : parsed.root["images"]) {
+    const json& view = parsed.root["bufferViews"][image["bufferView"].get<std::size_t>()];
+    const auto header =
+        image_header({parsed.view(image["bufferView"]), view["byteLength"].get<std::size_t>()});
+    ASSERT_TRUE(header);
+    EXPECT_EQ(std::max(header->width, header->height), 32);
+    texels += static_cast<std::uint64_t>(header->width) * static_cast<std::uint64_t>(header->height);
+  }
+  EXPECT_EQ(parsed.file.ledger[Part::kBakes].bytes, texels * 3 * 2) << "16-bit RGB";
   for (std::size_t i = 0; i < 2; ++i) {
     for (const float coordinate : parsed.accessor<float>(parsed.primitive(i)["attributes"]["TEXCOORD_0"])) {
       EXPECT_GE(coordinate, 0);
@@ -335,6 +345,10 @@ TEST(Gltf, ObjectsOfOneShapeShareItsArraysAndKeepTheirNames) {
   EXPECT_NE(parsed.primitive(0)["material"], parsed.primitive(1)["material"]);
   EXPECT_EQ(parsed.root["accessors"].size(), 4u);
   EXPECT_EQ(parsed.root["bufferViews"].size(), 4u);
+  const json& positions =
+      parsed.root["accessors"][parsed.primitive(0)["attributes"]["POSITION"].get<std::size_t>()];
+  EXPECT_EQ(positions["min"].size(), 3u) << "whoever asks for it again";
+  EXPECT_EQ(positions["max"].size(), 3u);
 }
 
 TEST(Gltf, APositionArrayThatEqualsTheNormalsHasBoundsAllTheSame) {

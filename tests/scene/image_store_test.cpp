@@ -38,11 +38,11 @@ TEST(ImageStore, ReadsAFileOnceForEachColorSpace) {
 TEST(ImageStore, BakesAProceduralOnceForEachValueAndSize) {
   ImageStore store;
   const texmap::Procedural checker{.scale = 2};
-  const StoredImage first = store.bake(checker, 16);
+  const StoredImage first = store.bake(checker, {16, 16});
   EXPECT_TRUE(first.is_new);
-  EXPECT_EQ(store.bake(checker, 16).image, first.image);
-  EXPECT_EQ(store.bake(checker, 8).image->width, 8);
-  EXPECT_TRUE(store.bake({.scale = 4}, 16).is_new);
+  EXPECT_EQ(store.bake(checker, {16, 16}).image, first.image);
+  EXPECT_EQ(store.bake(checker, {8, 8}).image->width, 8);
+  EXPECT_TRUE(store.bake({.scale = 4}, {16, 16}).is_new);
   EXPECT_EQ(first.image->texels, texmap::bake(checker, {}, {16, 16}).image.texels);
 }
 
@@ -84,7 +84,7 @@ TEST(ImageStore, LetsTheOldestGoWhenItIsFull) {
 
 TEST(ImageStore, KeepsAThousandImagesHoweverSmall) {
   ImageStore store;
-  const auto bake = [&](int i) { return store.bake({.scale = 1.0 * i}, 1); };
+  const auto bake = [&](int i) { return store.bake({.scale = 1.0 * i}, {1, 1}); };
   for (int i = 1; i <= 1000; ++i) ASSERT_TRUE(bake(i).is_new);
   EXPECT_FALSE(bake(1).is_new);
   EXPECT_TRUE(bake(1001).is_new);

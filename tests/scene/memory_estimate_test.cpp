@@ -44,6 +44,16 @@ TEST(MemoryEstimate, CountsAPlacedPartTwiceSinceItIsCopied) {
   EXPECT_EQ(bytes(R"("translate": [1, 0, 0], )") - sizeof(Object), 2 * (bytes("") - sizeof(Object)));
 }
 
+TEST(MemoryEstimate, CountsTheTangentsOfWhatHasANormalMap) {
+  const auto bytes = [](const std::string& map) {
+    return estimate_memory(
+               parse(scene_text(R"("textures": {"t": {"image": "t.png"}}, "materials": {"m": {)" + map + "}}",
+                                R"({"name": "a", "material": "m", )" + kTube + "}")))
+        .bytes;
+  };
+  EXPECT_EQ(bytes(R"("normal_map": "t")") - bytes(""), 16u * 65 * 65);
+}
+
 TEST(MemoryEstimate, OfAMillionInstancesHasOneMeshAndAMillionObjects) {
   Document document = parse(scene_text("", R"({"name": "a", )" + kTube + "}"));
   const std::uint64_t one = estimate_memory(document).bytes;

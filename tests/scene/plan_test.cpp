@@ -157,6 +157,21 @@ TEST(Plan, ThicknessesNeedGlassAndAFileThatTellsThem) {
   EXPECT_EQ(needed(scene_of(R"("reflect": 0.5)"), kFile), std::set<Part>{});
 }
 
+TEST(Plan, ANormalMapNeedsTangentsAndItsImageButNoFootprintsFromNeighbours) {
+  const Document document = scene_of(R"("normal_map": "image")");
+  EXPECT_EQ(needed(document, kPicture), (std::set{Part::kTextures, Part::kTables, Part::kNormalMaps}));
+  EXPECT_EQ(plan(document, kPicture).sampled, (std::vector{true, false, false}));
+  EXPECT_EQ(needed(document, kFile), (std::set{Part::kTextures, Part::kNormalMaps}));
+  EXPECT_EQ(needed(document, {.product = Product::kMeshFile, .has_tangents = false}),
+            std::set{Part::kTextures});
+  EXPECT_EQ(needed(document, {.product = Product::kMeshFile, .has_normal_maps = false}), std::set<Part>{});
+  const Document mesh = parse(scene_text(
+      R"("ambient": [1, 1, 1], "textures": {"i": {"image": "x.png"}}, "materials": {"m": {"normal_map": "i"}})",
+      R"({"name": "m", "material": "m", "mesh": {"file": "m.obj"}})"));
+  EXPECT_EQ(needed(mesh, {.product = Product::kPicture}),
+            (std::set{Part::kLayouts, Part::kTextures, Part::kTiles, Part::kNormalMaps}));
+}
+
 TEST(Plan, ABackgroundImageIsForPicturesAlone) {
   const Document document = scene_of("", R"("ambient": [1, 1, 1], "background": {"image": "sky.exr"})");
   EXPECT_EQ(needed(document, kPicture), std::set{Part::kEnvironment});

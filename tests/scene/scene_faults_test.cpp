@@ -101,13 +101,14 @@ TEST(SceneFaults, UnknownKeysAreRefusedByNameAtTheKeyItself) {
       {with_line("\"materials\": {\"m\": {\"line\\nbreak\": 1}}"),
        "s.json:3:23: /materials/m/line\\u000abreak: unknown key \"line\\u000abreak\"; there is \"diffuse\", "
        "\"texture\", "
-       "\"specular\", \"shininess\", \"reflect\", \"transmit\", \"ior\", \"absorption\", \"fresnel\""},
+       "\"specular\", \"shininess\", \"reflect\", \"transmit\", \"ior\", \"absorption\", \"fresnel\", "
+       "\"normal_map\", \"normal_strength\""},
   });
 }
 
 TEST(SceneFaults, KeysThatComeLaterAreNotTakenSilently) {
   for (const char* line : {"\"lights\": [{\"point\": [0, 0, 0], \"size\": 1}]",
-                           "\"materials\": {\"m\": {\"normal_map\": \"x\"}}"}) {
+                           "\"materials\": {\"m\": {\"height_map\": \"x\"}}"}) {
     EXPECT_NE(fault_of(with_line(line)).find("unknown key"), std::string::npos) << line;
   }
   const std::string straight =
@@ -116,6 +117,29 @@ TEST(SceneFaults, KeysThatComeLaterAreNotTakenSilently) {
                                   "\"sweep\": {" + straight + ", \"texture\": 1}"}) {
     EXPECT_NE(fault_of(with_object(line)).find("unknown key"), std::string::npos) << line;
   }
+}
+
+TEST(SceneFaults, NormalMaps) {
+  const auto with = [](const std::string& material) {
+    return with_line(
+        R"("textures": {"i": {"image": "i.png"}, "p": {"procedural": "noise"}}, "materials": {"m": )" +
+        material + "}");
+  };
+  const std::string at = "s.json:3:";
+  expect_messages({
+      {with(R"({"normal_map": "j"})"),
+       at + "106: /materials/m/normal_map: there is no texture \"j\"; there is \"i\", \"p\""},
+      {with(R"({"normal_map": "p"})"), at + "106: /materials/m/normal_map: needs an image: \"p\" is "
+                                            "procedural; sweepkit bake --normals makes an "
+                                            "image of it"},
+      {with(R"({"normal_strength": 1})"),
+       at + "111: /materials/m/normal_strength: needs \"normal_map\" beside it"},
+      {with(R"({"normal_map": "i", "normal_strength": -1})"),
+       at + "130: /materials/m/normal_strength: needs to be at least 0 and at most 1000, got -1"},
+      {with(R"({"normal_map": "i"}, "n": {"texture": "i"})"),
+       at + "91: /materials/m: its normal map \"i\" is the colours of \"n\" too; name the image twice under "
+            "\"textures\""},
+  });
 }
 
 TEST(SceneFaults, Camera) {

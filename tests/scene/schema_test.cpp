@@ -50,6 +50,13 @@ json scene_with(const std::string& key, json value) {
   return scene;
 }
 
+// With what a strength needs beside it.
+json scene_with_a_normal_map() {
+  json scene = scene_with("materials", {{"m", {{"normal_map", "i"}}}});
+  scene["textures"] = {{"i", {{"image", "i.png"}}}};
+  return scene;
+}
+
 json scene_of_object(json object) {
   return {{"sweepkit", 1}, {"objects", {std::move(object)}}};
 }
@@ -80,7 +87,7 @@ std::vector<Location> locations() {
       {"light", scene_with("lights", {{{"point", {0, 0, 0}}}}), "/lights/0"},
       {"light", scene_with("lights", {{{"directional", {0, 0, 1}}}}), "/lights/0"},
       {"imageTexture", scene_with("textures", {{"t", {{"image", "x.png"}}}}), "/textures/t"},
-      {"material", scene_with("materials", {{"m", json::object()}}), "/materials/m"},
+      {"material", scene_with_a_normal_map(), "/materials/m"},
       {"object", scene_of_object(floor), "/objects/0"},
       {"instance", floor_with("instances", {json::object()}), "/objects/0/instances/0"},
       {"tessellation", floor_with("tessellation", json::object()), "/objects/0/tessellation"},

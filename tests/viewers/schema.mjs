@@ -8,13 +8,15 @@ import Ajv from 'ajv/dist/2020.js';
 import {execFileSync} from 'node:child_process';
 import {readFileSync, readdirSync} from 'node:fs';
 import {join} from 'node:path';
-import {awkwardScenes, freshFolder, sampleScenes, scenesIn} from './sweepkit.mjs';
+import {awkwardScenes, freshFolder, sampleScenes, scenesIn, uncommented} from './sweepkit.mjs';
 
 const [program, out, faultsTest] = process.argv.slice(2);
 freshFolder(out);
 
 const kUnseen = [  // names, numbers and points that depend on others
   /there is no (texture|material) "/,
+  /needs an image: ".*" is procedural/,
+  /is the colours of ".*" too/,
   /is taken by an object before/,
   /needs to differ from "eye"/,
   /corner_radius needs to be/,
@@ -23,9 +25,6 @@ const kUnseen = [  // names, numbers and points that depend on others
   /all its points are the same/,
 ];
 const used = new Set();
-
-// JSON without its // and /* */ comments.
-const uncommented = (text) => text.replace(/("(?:\\.|[^"\\])*")|\/\/[^\n]*|\/\*[\s\S]*?\*\//g, (_, string) => string ?? ' ');
 
 const schema = JSON.parse(execFileSync(program, ['schema'], {encoding: 'utf8'}));
 const ajv = new Ajv({strict: true, strictRequired: false, strictTypes: false, allErrors: false});

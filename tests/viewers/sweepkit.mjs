@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 import {execFileSync} from 'node:child_process';
-import {mkdirSync, readdirSync, rmSync} from 'node:fs';
+import {mkdirSync, readFileSync, readdirSync, rmSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
@@ -13,6 +13,11 @@ export const awkwardScenes = join(here, 'scenes');
 
 export function scenesIn(folder) {
   return readdirSync(folder).filter((name) => name.endsWith('.json')).sort().map((name) => join(folder, name));
+}
+
+// JSON without its comments of both kinds.
+export function uncommented(text) {
+  return text.replace(/("(?:\\.|[^"\\])*")|\/\/[^\n]*|\/\*[\s\S]*?\*\//g, (_, string) => string ?? ' ');
 }
 
 export function freshFolder(folder) {

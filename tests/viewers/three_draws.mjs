@@ -7,17 +7,13 @@
 //   - the floor's tiles are in the same places: over the pixels that both call floor, the two pictures correlate by at
 //     least kLeastCorrelation, and less when one is moved by a pixel any way.
 // Where this fails, both pictures and their difference are left in the folder given.
-import {buildSync} from 'esbuild';
-import {execFileSync} from 'node:child_process';
 import {readFileSync, writeFileSync} from 'node:fs';
-import {dirname, join} from 'node:path';
-import {chromium} from 'playwright-core';
-import {fileURLToPath} from 'node:url';
+import {join} from 'node:path';
 import pngjs from 'pngjs';
-import {freshFolder, sampleScenes, sweepkit} from './sweepkit.mjs';
+import {drawInThree, withThree} from './browser.mjs';
+import {freshFolder, sampleScenes, sweepkit, uncommented} from './sweepkit.mjs';
 
 const {PNG} = pngjs;
-const here = dirname(fileURLToPath(import.meta.url));
 const [program, out] = process.argv.slice(2);
 freshFolder(out);
 
@@ -26,7 +22,7 @@ const kLeastOverlap = 0.98;
 const kLeastCorrelation = 0.95;
 const kSize = 512;
 const sceneFile = join(sampleScenes, 'vase_and_cup.json');
-const scene = JSON.parse(readFileSync(sceneFile, 'utf8').replace(/^\s*\/\/.*$/gm, ''));
+const scene = JSON.parse(uncommented(readFileSync(sceneFile, 'utf8')));
 // A colour for each object; linear 0 and 1 are the same bytes in every encoding, and black is the background.
 const cubeCorners = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 0, 1], [0, 1, 1], [1, 1, 1]];
 if (scene.objects.length > cubeCorners.length) throw new Error('the scene has more objects than there are clear colours');
@@ -50,30 +46,12 @@ function drawOurObjects() {
   return renderOurs('objects_ours.png', settings);
 }
 
-async function drawTheirs(requests) {
-  const script = buildSync({
-    entryPoints: [join(here, 'three_page.js')], bundle: true, write: false, format: 'iife', logLevel: 'error',
-  }).outputFiles[0].text;
-  const browser = await chromium.launch({
-    executablePath: execFileSync('sh', ['-c', 'command -v chromium'], {encoding: 'utf8'}).trim(),
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-           '--disable-background-networking', '--disable-component-update', '--disable-default-apps', '--disable-sync',
-           '--no-first-run', '--no-pings'],
-  });
-  try {
-    const page = await browser.newPage();
-    page.on('pageerror', (error) => console.error('in the page: ' + error));
-    await page.setContent('<!doctype html><title>three.js</title>');
-    await page.addScriptTag({content: script});
+function drawTheirs(requests) {
+  return withThree(out, async (page, urlOf) => {
     const pictures = [];
-    for (const request of requests) {
-      const url = await page.evaluate((given) => window.draw(given), request);
-      pictures.push(PNG.sync.read(Buffer.from(url.slice(url.indexOf(',') + 1), 'base64')));
-    }
+    for (const request of requests) pictures.push(await drawInThree(page, {url: urlOf('vase_and_cup.glb'), ...request}));
     return pictures;
-  } finally {
-    await browser.close();
-  }
+  });
 }
 
 function isObject(picture, pixel, name) {
@@ -117,10 +95,9 @@ function difference(ours, theirs) {
   return picture;
 }
 
-const glbFile = join(out, 'vase_and_cup.glb');
-sweepkit(program, 'generate', sceneFile, '-o', glbFile, '--quiet');
-const request = {glb: readFileSync(glbFile).toString('base64'), width: kSize, height: kSize, background: [0, 0, 0]};
-const theirs = await drawTheirs([{...request, colors}, request]);
+sweepkit(program, 'generate', sceneFile, '-o', join(out, 'vase_and_cup.glb'), '--quiet');
+const request = {width: kSize, height: kSize, background: [0, 0, 0]};
+const theirs = await drawTheirs([{...request, look: 'flat', colors}, {...request, look: 'base'}]);
 const noMirrors = Object.keys(scene.materials).flatMap((name) => ['--set', `/materials/${name}/reflect=0`]);
 const ours = [drawOurObjects(), renderOurs('textures_ours.png', noMirrors)];
 

@@ -4,12 +4,11 @@
 // The pages of `sweepkit view`, opened in headless Chromium from file://, in a window and on a phone: no error on the
 // console, no request but for the page itself, the screenshots stored in expected/, and every control does what it says.
 // Where it fails, the screenshots are left in the folder given; run with SWEEPKIT_STORE_SCREENSHOTS=1 to store them anew.
-import {execFileSync} from 'node:child_process';
 import {copyFileSync, existsSync, readFileSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
-import {chromium} from 'playwright-core';
 import {fileURLToPath} from 'node:url';
 import pngjs from 'pngjs';
+import {launch, webgl} from './browser.mjs';
 import {freshFolder, sampleScenes, sweepkit} from './sweepkit.mjs';
 
 const {PNG} = pngjs;
@@ -22,15 +21,6 @@ const kMostDifference = 3;
 const faults = [];
 function expect(holds, what) {
   if (!holds) faults.push(what);
-}
-
-const glArguments = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-function launch(more) {
-  return chromium.launch({
-    executablePath: execFileSync('sh', ['-c', 'command -v chromium'], {encoding: 'utf8'}).trim(),
-    args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update', '--disable-default-apps',
-           '--disable-sync', '--no-first-run', '--no-pings', ...more],
-  });
 }
 
 async function open(browser, file, options) {
@@ -144,6 +134,12 @@ sweepkit(program, 'view', join(sampleScenes, 'star_to_circle.json'), '-o', morph
 sweepkit(program, 'generate', join(sampleScenes, 'spring.json'), '-o', join(out, 'spring.glb'), '--quiet');
 const modelPage = join(out, 'spring.html');
 sweepkit(program, 'view', join(out, 'spring.glb'), '-o', modelPage, '--quiet');
+// Both animations and two lights.
+sweepkit(program, 'generate', '--contour', 'circle:0.1', '--trajectory', 'helix:radius=1,pitch=0.3,turns=2', '--turntable', '4',
+         '--set', '/lights=[{"directional": [0.5, -1, -0.5]}, {"point": [3, 3, 3]}]',
+         '--grow', '4', '-o', join(out, 'moving.glb'), '--quiet');
+const movingPage = join(out, 'moving.html');
+sweepkit(program, 'view', join(out, 'moving.glb'), '-o', movingPage, '--quiet');
 // Names that would end the script, the title or the page.
 const name = '</script><script>document.title="no"</script><!-- "&amp; \\u003c';
 writeFileSync(join(out, 'names.json'), JSON.stringify({sweepkit: 1, objects: [{
@@ -151,11 +147,36 @@ writeFileSync(join(out, 'names.json'), JSON.stringify({sweepkit: 1, objects: [{
 const namesPage = join(out, 'names.html');
 sweepkit(program, 'view', join(out, 'names.json'), '--object', name, '-o', namesPage, '--quiet');
 
-const browser = await launch(glArguments);
+// Is it another picture a while later?
+async function moves(page) {
+  const clip = modelIn(page);
+  const before = await shot(page, clip);
+  await page.waitForTimeout(400);
+  return difference(before, await shot(page, clip)) > 0.05;
+}
+
+async function exerciseMotion(page) {
+  expect(await state(page, 'lights') === '2', 'the two lights of the file are not seen');
+  expect(await state(page, 'playing') === 'false', 'who wants less motion gets some at once');
+  expect(!await moves(page), 'what is paused moves');
+  for (const [what, act] of [['key P', () => page.keyboard.press('p')], ['the button Play', () => page.click('#play')]]) {
+    await act();
+    expect(await state(page, 'playing') === 'true' && await page.getAttribute('#play', 'aria-pressed') === 'true', `${what} does not play`);
+    expect(await moves(page), `${what}: nothing moves`);
+    await act();
+    expect(await state(page, 'playing') === 'false' && !await moves(page), `${what} does not pause`);
+  }
+  expect((await page.$$('.row input')).length === 1, 'the object on the turntable is not in the list');
+  await changes(page, 'Wireframe on what has grown in part', () => page.keyboard.press('w'), () => page.keyboard.press('w'));
+}
+
+const browser = await launch(webgl);
 try {
   const wide = await open(browser, scenePage, {viewport: {width: 800, height: 500}});
   expect(await state(wide) === 'ready', 'the page is not ready');
   await compareStored(wide, 'view_window.png');
+  expect(Number(await state(wide, 'lights')) > 0, 'the lights of the file are not seen');
+  expect(!await wide.$('#play'), 'a file without animations offers to play them');
   await exercise(wide);
 
   const phone = await open(browser, morphPage, {viewport: {width: 390, height: 780}, hasTouch: true, isMobile: true});
@@ -171,8 +192,15 @@ try {
   expect(await state(model) === 'ready', 'the page of a .glb is not ready');
   expect(await model.isDisabled('#curves'), 'a .glb without curves offers them');
 
+  const moving = await open(browser, movingPage, {viewport: {width: 800, height: 500}});
+  expect(await state(moving) === 'ready', 'the page of a .glb with animations is not ready');
+  await exerciseMotion(moving);
+  const lively = await open(browser, movingPage, {viewport: {width: 800, height: 500}, reducedMotion: 'no-preference'});
+  expect(await state(lively, 'playing') === 'true', 'the animations do not play by themselves');
+
   const names = await open(browser, namesPage, {viewport: {width: 800, height: 500}});
   expect(await state(names) === 'ready', 'the page with strange names is not ready');
+  expect(await state(names, 'lights') === '0', 'a file without lights is shown as one with some');
   expect(await names.title() === name, `the title is ${await names.title()}`);
   expect(await names.textContent('.row span') === name, 'the list tells another name');
 } finally {

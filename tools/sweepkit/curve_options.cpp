@@ -20,6 +20,8 @@ constexpr const char* kStudio = R"({
              {"directional": [-0.5, -0.45, -0.85], "intensity": [0.15, 0.16, 0.18]}]
 })";
 
+constexpr const char* kNothing = R"({"sweepkit": 1})";
+
 constexpr const char* kProcedurals[] = {"checker", "tiles", "bands", "marble"};
 
 scene::Setting plain(const std::string& pointer, const std::string& json, const std::string& option) {
@@ -140,7 +142,7 @@ scene::SceneFile make_scene(const CurveOptions& options) {
         plain(object + "/tessellation", "{\"tolerance\": " + options.tolerance + "}", "--tolerance"));
   }
   if (!options.cells.empty()) settings.push_back(cells_setting(options.cells));
-  scene::SceneFile scene(kStudio, "command line");
+  scene::SceneFile scene(options.has_studio ? kStudio : kNothing, "command line");
   for (const scene::Setting& setting : settings) scene.set(setting);
   return scene;
 }

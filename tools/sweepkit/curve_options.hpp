@@ -27,6 +27,8 @@ struct CurveOptions {
   std::string texture_size;
   std::string cells;
   std::string tolerance;
+  /// The object stands in a lit place, for a picture; a file of it brings no lights.
+  bool has_studio = false;
 
   /// Is any of them given?
   bool are_given() const;

@@ -40,15 +40,18 @@ void check_model_name(const std::string& file);
 /// Is a scene to be kept in this file?
 bool keeps_scene(const Generate& command, const std::string& file);
 
-/// What the plan needs to know of a file that is to be made; an empty name is a .glb.
-scene::Request model_request(const std::string& file);
+/// What the plan needs to know of a file that is to be made with these options; an empty name is a .glb.
+scene::Request model_request(const std::string& file, const scene::GltfOptions& options);
 
 struct MadeFile {
   std::uint64_t objects = 0;
-  std::uint64_t instances = 0;      ///< at least as many
-  std::uint64_t triangles = 0;      ///< of a glTF's meshes, of a mesh file's instances
-  std::optional<double> deviation;  ///< the largest that is known of an object in the world, metres
-  std::uint64_t bytes = 0;          ///< with what stands beside it
+  std::uint64_t instances = 0;               ///< at least as many
+  std::uint64_t triangles = 0;               ///< of a glTF's meshes, of a mesh file's instances
+  std::uint64_t triangles_without_area = 0;  ///< left out of a quantized glTF
+  std::optional<double> deviation;           ///< the largest that is known of an object in the world, metres
+  std::size_t targets = 0;                   ///< the most that a mesh grows by
+  double grow_error = 0;                     ///< metres
+  std::uint64_t bytes = 0;                   ///< with what stands beside it
   scene::Ledger ledger;
   std::vector<scene::SceneFinding> findings;
 };

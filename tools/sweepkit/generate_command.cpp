@@ -20,10 +20,13 @@
 #include "sweepkit/scene/mesh_output.hpp"
 #include "sweepkit/scene/model.hpp"
 #include "sweepkit/scene/output_file.hpp"
+#include "texel_density_option.hpp"
 
 namespace sweepkit::tools {
 namespace {
 
+constexpr double kLeastSeconds = 0.01;
+constexpr double kMostSeconds = 86400;
 constexpr int kMostTexels = 16384;  // a side: kMostPixels in all
 
 void write(const std::vector<scene::NamedBytes>& parts, const std::filesystem::path& file) {
@@ -31,6 +34,15 @@ void write(const std::vector<scene::NamedBytes>& parts, const std::filesystem::p
   for (const scene::NamedBytes& part : parts) {
     const bool is_whole = &part == &parts.back();
     files.push_back({is_whole ? file : file.parent_path() / part.name, part.bytes});
+  }
+  scene::write_files(files);
+}
+
+void write(const scene::GltfPieces& gltf, const std::filesystem::path& file) {
+  std::vector<scene::OutputFile> files;
+  for (const scene::GltfPieces::File& part : gltf.files) {
+    const bool is_whole = &part == &gltf.files.back();
+    files.push_back({is_whole ? file : file.parent_path() / part.name, {}, part.pieces});
   }
   scene::write_files(files);
 }
@@ -59,7 +71,7 @@ void generate_one(const Generate& command) {
   const scene::SceneFile scene = open_scene(command.input);
   scene::Document document = scene.document();
   if (!command.object.empty()) keep_object(document, command.object);
-  const scene::Plan plan = scene::plan(document, model_request(output.file));
+  const scene::Plan plan = scene::plan(document, model_request(output.file, command.gltf));
   if (output.file.empty()) {
     print({{}, {plan_table(plan, {})}}, output);
     return;
@@ -79,13 +91,20 @@ void generate_one(const Generate& command) {
           (made.objects == 1 ? " object, " : " objects, ") +
           (made.instances > made.objects ? std::to_string(made.instances) + " instances, " : "") +
           std::to_string(made.triangles) + " triangles" +
+          (made.triangles_without_area > 0 ? " (" + std::to_string(made.triangles_without_area) +
+                                                 " without area when quantized are left out)"
+                                           : "") +
+          (made.targets > 0
+               ? " (growing: within " + length_text(made.grow_error) + " by " + std::to_string(made.targets) +
+                     (made.targets == 1 ? " morph target)" : " morph targets)")
+               : "") +
           (made.deviation ? " (by tolerance: within " + length_text(*made.deviation) + ")" : "") + ", " +
           std::to_string(made.bytes) + " bytes in " + duration_text(seconds),
       output);
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 14> kGltfOptions = {{
     {"--no-extras", ""},
     {"--copyright", "copyright"},
     {"--tangents", "tangents"},
@@ -94,6 +113,12 @@ constexpr std::array<std::array<const char*, 2>, 8> kGltfOptions = {{
     {"--images", ""},
     {"--image-format", ""},
     {"--max-texture", ""},
+    {"--quantize", "quantized vertices"},
+    {"--position-bits", "quantized vertices"},
+    {"--meshopt", "packed vertices"},
+    {"--minimal", ""},
+    {"--turntable", "animation"},
+    {"--grow", "animation"},
 }};
 
 // A glTF made again from itself has its own options where no others are given.
@@ -104,13 +129,19 @@ void take_options_of(const scene::GltfOptions& own, Generate& command) {
     if (std::none_of(options.begin(), options.end(), is_given)) mine = theirs;
   };
   take({"--object"}, command.object, own.object.value_or(""));
-  take({"--bake-size"}, gltf.bake_size, own.bake_size);
+  take({"--bake-size", "--texel-density"}, gltf.bake_size, own.bake_size);
+  take({"--bake-size", "--texel-density"}, gltf.texel_density, own.texel_density);
   take({"--tangents"}, gltf.has_tangents, own.has_tangents);
   take({"--unlit", "--compatible"}, gltf.look, own.look);
   take({"--images"}, gltf.images_in, own.images_in);
   take({"--image-format"}, gltf.image_format, own.image_format);
   take({"--max-texture"}, gltf.max_texture, own.max_texture);
+  take({"--turntable"}, gltf.turntable_seconds, own.turntable_seconds);
+  take({"--grow"}, gltf.grow_seconds, own.grow_seconds);
   take({"--copyright"}, gltf.copyright, own.copyright);
+  take({"--quantize"}, gltf.is_quantized, own.is_quantized);
+  take({"--position-bits"}, gltf.position_bits, own.position_bits);
+  take({"--meshopt"}, gltf.is_packed, own.is_packed);
 }
 
 void settle_gltf_options(Generate& command) {
@@ -132,10 +163,24 @@ void check_gltf_options(const Generate& command) {
     throw InputError({.file = "--unlit"},
                      "is an extension, and --compatible is for viewers that know none; leave one out");
   }
+  if (command.gltf.look == scene::GltfLook::kCompatible &&
+      (command.gltf.is_quantized || command.gltf.is_packed)) {
+    throw InputError({.file = command.gltf.is_quantized ? "--quantize" : "--meshopt"},
+                     "is an extension, and --compatible is for viewers that know none; leave one out");
+  }
   if (command.output.is_standard() && command.gltf.images_in == scene::GltfImages::kSeparate) {
     throw InputError({.file = "--images"}, "separate needs a folder, and -o - is standard output alone");
   }
-  if (!scene::is_mesh_name(command.output.file)) return;
+  if (!scene::is_mesh_name(command.output.file)) {
+    if (command.options->count("--position-bits") > 0 && !command.gltf.is_quantized) {
+      throw InputError({.file = "--position-bits"}, "is for quantized positions; add --quantize");
+    }
+    return;
+  }
+  if (command.options->count("--texel-density") > 0 && !scene::holds_textures(command.output.file)) {
+    throw InputError({.file = "--texel-density"},
+                     "is for .glb, .gltf and .obj: other formats hold no textures");
+  }
   for (const auto& [option, lack] : kGltfOptions) {
     if (command.options->count(option) == 0) continue;
     throw InputError({.file = option}, std::string("is for .glb and .gltf: other formats hold no ") + lack);
@@ -172,12 +217,14 @@ bool keeps_scene(const Generate& command, const std::string& file) {
   return !command.forgets_scene && !scene::is_mesh_name(file);
 }
 
-scene::Request model_request(const std::string& file) {
+scene::Request model_request(const std::string& file, const scene::GltfOptions& options) {
   const bool is_mesh = scene::is_mesh_name(file);
   return {.product = scene::Request::Product::kMeshFile,
           .has_textures = !is_mesh || scene::holds_textures(file),
           .has_texcoords = !is_mesh || scene::holds_texcoords(file),
-          .has_thicknesses = !is_mesh};
+          .has_thicknesses = !is_mesh,
+          .has_normal_maps = is_mesh || options.look != scene::GltfLook::kUnlit,
+          .has_tangents = !is_mesh};
 }
 
 MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
@@ -191,14 +238,22 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
     for (const scene::NamedBytes& part : parts) made.bytes += part.bytes.size();
   };
   if (scene::is_mesh_name(file)) {
-    const scene::MeshOutput output =
-        scene::make_mesh_output(model.scene, plan, file, {options.bake_size, options.images});
+    const scene::MeshOutput output = scene::make_mesh_output(
+        model.scene, plan, file, {options.bake_size, options.images, options.texel_density});
     keep(output.files, output.ledger);
     made.triangles = output.triangles;
   } else {
-    const scene::GltfFile gltf = scene::make_gltf(model.scene, plan, file, options);
-    keep(gltf.files, gltf.ledger);
+    const scene::GltfPieces gltf = scene::make_gltf_pieces(model.scene, plan, file, options);
+    write(gltf, file);
+    made.ledger.add(gltf.ledger);
+    for (const scene::GltfPieces::File& part : gltf.files) {
+      for (const std::span<const std::byte> piece : part.pieces) made.bytes += piece.size();
+    }
+    made.targets = gltf.targets;
+    made.grow_error = gltf.grow_error;
     for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
+    made.triangles -= gltf.triangles_without_area;
+    made.triangles_without_area = gltf.triangles_without_area;
   }
   if (looks_for_findings) made.findings = scene::check(document, model, scene::Thoroughness::kQuick);
   for (const scene::Object& object : model.scene.objects) {
@@ -227,13 +282,17 @@ void add_generate(CLI::App& app) {
       ->check(CLI::Range(1, kMostThreads))
       ->needs(each);
   sub.add_option("--object", command->object, "This object alone")->type_name("NAME");
-  sub.add_option("--bake-size", command->gltf.bake_size,
-                 "Texels on a side of the image that a procedural texture becomes")
+  sub.add_option(
+         "--bake-size", command->gltf.bake_size,
+         "Texels on the longer side of the image that a procedural texture becomes; the other follows "
+         "the object")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
-  sub.add_flag("--tangents", command->gltf.has_tangents,
-               "A tangent with handedness at every vertex too, for normal maps in engines that make none");
+  add_texel_density(sub, command->gltf.texel_density)->excludes("--bake-size");
+  sub.add_flag(
+      "--tangents", command->gltf.has_tangents,
+      "A tangent with handedness at every vertex of every mesh; without it of those with a normal map");
   sub.add_flag("--unlit", command->is_unlit,
                "Colours and textures as they are, whatever the light (KHR_materials_unlit)");
   sub.add_flag("--compatible", command->is_compatible,
@@ -256,6 +315,30 @@ void add_generate(CLI::App& app) {
                  "Most texels on a side of an image; larger ones are made smaller")
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));
+  sub.add_flag("--quantize", command->gltf.is_quantized,
+               "Vertices in less than half the bytes (KHR_mesh_quantization, which the viewer must know): "
+               "positions in 16 bits, normals and tangents in 8, (u,v) in 16");
+  sub.add_option(
+         "--position-bits", command->gltf.position_bits,
+         "Of --quantize: the longest side of an object's box in 2^N - 1 steps; without it 16, and with "
+         "--meshopt as many as its cells need, 8 to 14")
+      ->type_name("N")
+      ->check(CLI::Range(8, 16));
+  sub.add_flag("--meshopt", command->gltf.is_packed,
+               "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know); with "
+               "--quantize smallest");
+  sub.add_flag(
+      "--minimal", command->gltf.is_minimal,
+      "Only what shows the objects: no names, no camera, no extras (the file cannot be made again from "
+      "itself), and (u,v) only where there is a texture");
+  sub.add_option("--turntable", command->gltf.turntable_seconds,
+                 "An animation: everything turns once about its middle, counter-clockwise from above")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds));
+  sub.add_option("--grow", command->gltf.grow_seconds,
+                 "An animation: what is swept or revolved grows from its start to its end")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(kLeastSeconds, kMostSeconds));
   add_explain(sub, command->output);
   add_json(sub, command->output, "Print tables as JSON: that of --explain; with --each also one of the rows");
   add_quiet(sub, command->output);

@@ -144,7 +144,7 @@ class Batch {
       const std::vector<scene::Setting> settings = settings_of(table_, table_.rows[row]);
       scene::Document document = scene_.document(settings);
       if (!command_.object.empty()) keep_object(document, command_.object);
-      outcome.plan = scene::plan(document, model_request(jobs_[row].file));
+      outcome.plan = scene::plan(document, model_request(jobs_[row].file, command_.gltf));
       if (jobs_[row].file.empty()) return outcome;
       scene::GltfOptions options = command_.gltf;
       options.images = &images_;

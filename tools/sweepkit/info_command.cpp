@@ -187,7 +187,10 @@ Report gltf_report(const std::string& file) {
     meshes.rows.push_back({{"mesh", or_nothing(mesh.name)},
                            {"triangles", mesh.triangles},
                            {"vertices", mesh.vertices},
-                           {"material", or_nothing(mesh.material)}});
+                           {"material", or_nothing(mesh.material)},
+                           {"targets", mesh.targets},
+                           {"vertex bytes", mesh.vertex_bytes},
+                           {"index bytes", mesh.index_bytes}});
   }
   Table materials{"materials", {}};
   for (const scene::GltfInfo::Material& material : info.materials) {
@@ -200,13 +203,56 @@ Report gltf_report(const std::string& file) {
                            {"width", has_size ? Value(static_cast<std::uint64_t>(image.width)) : Value()},
                            {"height", has_size ? Value(static_cast<std::uint64_t>(image.height)) : Value()},
                            {"bytes", image.bytes},
-                           {"file", or_nothing(image.file)}});
+                           {"file", or_nothing(image.file)},
+                           {"format", or_nothing(image.format)},
+                           {"missing", image.is_missing}});
+  }
+  Table textures{"textures", {}};
+  for (const scene::GltfInfo::Texture& texture : info.textures) {
+    textures.rows.push_back({{"texture", or_nothing(texture.name)}, {"image", or_nothing(texture.image)}});
+  }
+  Table cameras{"cameras", {}};
+  for (const scene::GltfInfo::Camera& camera : info.cameras) {
+    cameras.rows.push_back({{"camera", or_nothing(camera.name)}, {"type", camera.type}});
+  }
+  Table lights{"lights", {}};
+  for (const scene::GltfInfo::Light& light : info.lights) {
+    lights.rows.push_back(
+        {{"light", or_nothing(light.name)}, {"type", light.type}, {"intensity", light.intensity}});
+  }
+  Table animations{"animations", {}};
+  for (const scene::GltfInfo::Animation& animation : info.animations) {
+    animations.rows.push_back({{"animation", or_nothing(animation.name)},
+                               {"seconds", animation.seconds},
+                               {"channels", animation.channels}});
+  }
+  Table buffers{"buffers", {}};
+  for (const scene::GltfInfo::Buffer& buffer : info.buffers) {
+    buffers.rows.push_back({{"buffer", static_cast<std::uint64_t>(buffers.rows.size())},
+                            {"bytes", buffer.bytes},
+                            {"file", or_nothing(buffer.file)},
+                            {"missing", buffer.is_missing}});
+  }
+  Table extensions{"extensions", {}};
+  for (const std::string& name : info.extensions_used) {
+    const std::vector<std::string>& required = info.extensions_required;
+    extensions.rows.push_back(
+        {{"extension", name},
+         {"required", std::find(required.begin(), required.end(), name) != required.end()}});
+  }
+  Table packed{"meshopt", {}};
+  if (info.packed.views > 0) {
+    packed.rows.push_back({{"views", info.packed.views},
+                           {"bytes", info.packed.bytes},
+                           {"unpacked bytes", info.packed.unpacked_bytes}});
   }
   return {{{"file", file},
            {"kind", std::string("glTF 2.0")},
            {"generator", or_nothing(info.generator)},
+           {"copyright", or_nothing(info.copyright)},
+           {"holds its scene", info.has_scene},
            {"bytes", info.bytes}},
-          {meshes, materials, images}};
+          {meshes, materials, images, textures, cameras, lights, animations, buffers, extensions, packed}};
 }
 
 Report image_report(const std::string& file) {

@@ -135,6 +135,7 @@ void add_method_options(CLI::App& sub, Render& command) {
 
 void add_render_options(CLI::App& sub, Render& command) {
   add_scene_input(sub, command.input);
+  command.input.curves.has_studio = true;
   add_picture_output(sub, command.output, "The picture");
   sub.add_option("--size", command.size, "Pixels, instead of the scene's")->type_name("WxH");
   add_picture_options(sub, command);

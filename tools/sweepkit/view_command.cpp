@@ -150,7 +150,7 @@ void add_view(CLI::App& app) {
       ->type_name("PAGE.html");
   sub.add_option("--object", command->object, "This object alone")->type_name("NAME");
   sub.add_option("--bake-size", command->bake_size,
-                 "Texels on a side of the image that a procedural texture becomes")
+                 "Texels on the longer side of the image that a procedural texture becomes")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, 16384));

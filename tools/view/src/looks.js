@@ -79,6 +79,7 @@ export class Looks {
       this.wires = this.meshes.map((mesh) => {
         const wire = new Mesh(mesh.geometry, material);
         wire.raycast = () => {};
+        wire.morphTargetInfluences = mesh.morphTargetInfluences;
         mesh.add(wire);
         return wire;
       });

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 import {Box3, Sphere} from 'three';
 import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
+import {MeshoptDecoder} from 'three/addons/libs/meshopt_decoder.module.js';
 import {kCurves, makeCurves} from './curves.js';
 import {kLooks, Looks} from './looks.js';
+import {Motion} from './motion.js';
 import {Panel} from './panel.js';
 import {Stage} from './stage.js';
 
@@ -44,16 +46,19 @@ async function start() {
     throw new Error('This browser draws no WebGL here: it is switched off, or the graphics driver is missing.');
   }
   const facts = JSON.parse(text('facts'));
-  const gltf = await new GLTFLoader().parseAsync(bytesOf(text('model')), '');
+  const gltf = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).parseAsync(bytesOf(text('model')), '');
   const model = gltf.scene;
   const stage = new Stage(document.getElementById('stage'), model, gltf.cameras);
   const looks = new Looks(model, stage.renderer.capabilities.getMaxAnisotropy());
   const curves = makeCurves(facts.curves ?? {}, stage);
   const hasCurves = Object.keys(curves).length > 0;
 
-  const chosen = {look: 'finished', wires: false, curves: false, theme: ''};
+  const motion = gltf.animations.length > 0 ? new Motion(model, gltf.animations, stage) : null;
+
+  const chosen = {look: 'finished', wires: false, curves: false, theme: '', playing: false};
   const note = () => Object.entries(chosen).forEach(([name, value]) => root.setAttribute(`data-${name}`, value));
-  const objects = model.children.filter((node) => trianglesOf(node) > 0);
+  // What turns as a whole stands on a node of its own.
+  const objects = (model.getObjectByName('turntable') ?? model).children.filter((node) => trianglesOf(node) > 0);
   const showCurves = () => {
     for (const node of objects) if (curves[nameOf(node)]) curves[nameOf(node)].visible = chosen.curves && node.visible;
   };
@@ -65,7 +70,12 @@ async function start() {
     note();
     applyTheme(stage);
   };
+  const play = () => {
+    motion.toggle();
+    change('playing', motion.isPlaying);
+  };
   change('look', 'finished');
+  root.setAttribute('data-lights', String(stage.lights));
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => applyTheme(stage));
 
   const sphereOf = (node) => new Box3().setFromObject(node).getBoundingSphere(new Sphere());
@@ -81,6 +91,7 @@ async function start() {
        isPressed: () => chosen.wires},
       {id: 'curves', label: 'Curves', title: hasCurves ? `What it was made of: ${legend}` : 'This file does not say what it was made of',
        key: 'C', run: () => change('curves', !chosen.curves), isPressed: () => chosen.curves, isUsable: () => hasCurves},
+      ...(motion ? [{id: 'play', label: 'Play', title: 'The file\'s animations, or a pause', key: 'P', run: play, isPressed: () => motion.isPlaying}] : []),
     ],
     views: [
       {id: 'reset', label: 'Camera', title: 'From where the file\'s camera stands', key: 'R', run: () => stage.reset()},
@@ -115,6 +126,7 @@ async function start() {
     else if (!panel.press(event.key)) return;
     event.preventDefault();
   });
+  if (motion && !matchMedia('(prefers-reduced-motion: reduce)').matches) panel.press('p');
   message.textContent = '';
   stage.renderer.render(stage.scene, stage.camera);
   requestAnimationFrame(() => requestAnimationFrame(() => root.setAttribute('data-state', 'ready')));

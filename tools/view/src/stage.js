@@ -10,6 +10,7 @@ import {RoomEnvironment} from 'three/addons/environments/RoomEnvironment.js';
 
 const kTurn = Math.PI / 24;  // by an arrow key
 const kZoom = 0.9;           // by + and -
+const kDimmed = 0.3;         // of the room, where the file brings lights of its own
 
 export class Stage {
   constructor(canvas, model, cameras) {
@@ -21,6 +22,11 @@ export class Stage {
     const generator = new PMREMGenerator(this.renderer);
     this.scene.environment = generator.fromScene(new RoomEnvironment(), 0.04).texture;
     generator.dispose();
+    this.lights = 0;
+    model.traverse(({isLight}) => {
+      if (isLight) ++this.lights;
+    });
+    if (this.lights > 0) this.scene.environmentIntensity = kDimmed;
 
     this.model = model;
     this.model.updateMatrixWorld(true);

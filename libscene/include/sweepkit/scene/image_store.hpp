@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <memory>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct StoredImage {
 /// An image as a file of that kind, made smaller where it is larger.
 struct ImageForm {
   texmap::ImageFormat format = texmap::ImageFormat::kPng;
-  int most_texels = 0;  ///< on a side; 0: as large as it is
+  int most_texels = 0;         ///< on a side; 0: as large as it is
+  bool is_normal_map = false;  ///< its numbers are linear, and made smaller as vectors
 
   bool operator==(const ImageForm&) const = default;
 };
@@ -45,11 +47,11 @@ class ImageStore {
   /// texmap::read_image(). Throws what that throws, for every scene that asks.
   StoredImage read(const std::filesystem::path& file, texmap::ColorSpace color_space);
 
-  /// The unit square of a procedural texture, `size` texels on a side. Precondition:
+  /// The unit square of a procedural texture in `size` texels. Precondition:
   /// texmap::repeats_in_unit_square().
-  StoredImage bake(const texmap::Procedural& procedural, int size);
+  StoredImage bake(const texmap::Procedural& procedural, glm::ivec2 size);
 
-  /// The image as a file, sRGB; kept where the image came from this store, in one form.
+  /// The image as a file, sRGB but for normal maps; kept where the image came from this store, in one form.
   std::shared_ptr<const std::vector<std::byte>> encoded(const std::shared_ptr<const texmap::Image>& image,
                                                         const ImageForm& form = {});
 

@@ -29,6 +29,10 @@ struct Material {
   float ior = 1;               ///< index of refraction inside the object; outside is air, 1
   glm::vec3 absorption{0.0f};  ///< per metre inside: light is dimmed by exp(-absorption metres)
   Fresnel fresnel = Fresnel::kNone;
+  /// Index into the textures, an image. Its RGB times 2, less 1, is a normal in the tangent frame: x where u
+  /// grows, y where v grows, z outwards. Normals are made unit after x and y are multiplied by the strength.
+  std::optional<std::size_t> normal_map;
+  float normal_strength = 1;
 };
 
 }  // namespace sweepkit::scene

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "sweepkit/scene/gltf.hpp"
@@ -20,8 +21,9 @@ bool holds_textures(const std::filesystem::path& file);
 bool holds_texcoords(const std::filesystem::path& file);
 
 struct MeshOutputOptions {
-  int bake_size = 1024;          ///< texels on a side of a baked procedural texture
-  ImageStore* images = nullptr;  ///< keeps encoded and baked images for the files to come
+  int bake_size = 1024;                 ///< texels on the longer side of a baked procedural texture
+  ImageStore* images = nullptr;         ///< keeps encoded and baked images for the files to come
+  std::optional<double> texel_density;  ///< in place of bake_size: texels a metre (texel_density.hpp)
 };
 
 struct MeshOutput {

@@ -18,8 +18,9 @@ class ImageStore;
 /// A Scene together with the meshes its views look at. Moving it keeps the views valid; it is not copied.
 struct Model {
   std::vector<std::unique_ptr<const sweep::Mesh>> meshes;  ///< one an object; OpenMesh's cannot be moved
+  std::vector<std::vector<glm::vec4>> tangents;  ///< of those meshes that a normal map needs them for
   Scene scene;
-  Ledger ledger;               ///< half-edges, textures
+  Ledger ledger;               ///< half-edges, textures, tangents
   double mesh_seconds = 0;     ///< that the meshes took to make
   double texture_seconds = 0;  ///< that the textures took to read
 

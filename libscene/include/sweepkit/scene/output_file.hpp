@@ -18,6 +18,7 @@ void check_output(const std::filesystem::path& file);
 struct OutputFile {
   std::filesystem::path path;
   std::span<const std::byte> bytes;
+  std::vector<std::span<const std::byte>> more = {};  ///< what follows them
 };
 
 /// Writes the files whole or not at all: each beside its place under another name, checked to the disk, then

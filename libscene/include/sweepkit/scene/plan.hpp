@@ -39,8 +39,9 @@ enum class Part {
   kRefinement,     ///< pixels compared with their neighbours and given more rays
   kLayers,         ///< depth, normals and the like beside the picture
   kObjectTree,     ///< the tree over the objects' boxes
+  kNormalMaps,     ///< tangents, and normals looked up in their frames
 };
-inline constexpr std::size_t kPartCount = static_cast<std::size_t>(Part::kObjectTree) + 1;
+inline constexpr std::size_t kPartCount = static_cast<std::size_t>(Part::kNormalMaps) + 1;
 
 std::string_view part_name(Part part);  ///< "half-edges", "integral tables", ...
 
@@ -77,6 +78,8 @@ struct Request {
   bool has_textures = true;         ///< the mesh file made can hold textures
   bool has_texcoords = true;        ///< it can hold (u,v)
   bool has_thicknesses = true;      ///< it can tell how thick glass is
+  bool has_normal_maps = true;      ///< what is made shows normal maps
+  bool has_tangents = true;         ///< a mesh file can hold tangents
   bool has_neighbours = true;       ///< footprints are made from the neighbouring pixels' hits
   bool has_differentials = true;    ///< where there are none, or at all, from the rays' derivatives
   /// Otherwise every part of a picture that can be switched on without changing it is, needed or not: what

@@ -20,6 +20,17 @@
 
 namespace sweepkit::scene {
 
+/// Areas of a mesh that a contour made on its way, walls and caps.
+struct SweptPart {
+  enum class Along {
+    kU,  ///< a revolve: the turn runs along u, from 0
+    kV,  ///< a sweep: the trajectory runs along v, from 0
+  };
+  std::uint32_t first_area = 0;
+  std::uint32_t area_count = 0;
+  Along along = Along::kV;
+};
+
 /// Views of a mesh's own arrays; whoever made the scene keeps the meshes (scene::Model does).
 struct MeshView {
   std::span<const glm::vec3> positions;  ///< relative to `origin`
@@ -29,6 +40,8 @@ struct MeshView {
   std::span<const sweep::GridPatch> patches;
   std::span<const sweep::Area> areas;
   glm::dvec3 origin{0.0};
+  std::span<const glm::vec4> tangents;  ///< as sweep::find_tangents() has them; empty without a normal map
+  std::vector<SweptPart> swept;         ///< in order of their areas; planes and mesh files are no part of it
 };
 
 /// One past the last triangle of each sheet of texture: areas that continue the one before belong to it.
@@ -59,6 +72,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Object> objects;  ///< each instance is one
   std::vector<Light> lights;
+  bool has_default_light = false;  ///< `lights` are not the scene's own but what look_from() gives it
   Camera camera;
   int width = 512;
   int height = 512;

@@ -41,6 +41,12 @@ struct BakedTexture {
   std::vector<UvTransform> transforms;  ///< one an area
 };
 
+/// Places across and down for so many areas.
+glm::ivec2 bake_cells(std::size_t areas);
+
+/// Texels of the gutter round an area in an image of that size.
+int bake_gutter(glm::ivec2 size);
+
 /// An object's texture as one image. A texture that repeats over the unit square (an image, a periodic
 /// procedural on (u,v)) is that square, and the transforms are the identity; any other is laid out area by
 /// area over each one's whole (u,v) range. Each texel is the mean of what it covers.
