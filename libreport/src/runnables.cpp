@@ -3,13 +3,15 @@
 #include "curves_experiment.hpp"
 #include "frames_experiment.hpp"
 #include "sweepkit/report/report.hpp"
+#include "tessellation_experiment.hpp"
 
 namespace sweepkit::report {
 
 const std::vector<Runnable>& runnables() {
   static const std::vector<Runnable> all = {{"curves", "Points of Bezier segments", measure_curves},
                                             {"lengths", "Arc length", measure_lengths},
-                                            {"frames", "Frames along a trajectory", measure_frames}};
+                                            {"frames", "Frames along a trajectory", measure_frames},
+                                            {"tessellation", "Cells of a mesh", measure_tessellation}};
   return all;
 }
 
