@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 #include "curves_experiment.hpp"
+#include "filters_experiment.hpp"
 #include "frames_experiment.hpp"
 #include "sweepkit/report/report.hpp"
 #include "tessellation_experiment.hpp"
@@ -11,7 +12,8 @@ const std::vector<Runnable>& runnables() {
   static const std::vector<Runnable> all = {{"curves", "Points of Bezier segments", measure_curves},
                                             {"lengths", "Arc length", measure_lengths},
                                             {"frames", "Frames along a trajectory", measure_frames},
-                                            {"tessellation", "Cells of a mesh", measure_tessellation}};
+                                            {"tessellation", "Cells of a mesh", measure_tessellation},
+                                            {"filters", "Texture filters", measure_filters}};
   return all;
 }
 
