@@ -158,7 +158,11 @@ void add_plots(const Picture& picture, Experiment& experiment) {
 
 Experiment measure_filters(const Effort& effort) {
   std::string reason;
-  const TexturePeer* const module = texture_peer(reason);
+  const TexturePeer* const peer = texture_peer(reason);
+  return measure_filters_beside(effort, peer, reason);
+}
+
+Experiment measure_filters_beside(const Effort& effort, const TexturePeer* peer, const std::string& reason) {
   const Sizes sizes = effort.is_quick ? Sizes{128, 256} : Sizes{512, 1024};
   char size_text[120];
   std::snprintf(size_text, sizeof size_text,
@@ -176,7 +180,7 @@ Experiment measure_filters(const Effort& effort) {
           "the sky. point and bilinear take more samples a pixel, the others cut long footprints; point, "
           "bilinear and box are made for a box, the others for a tent.",
       .how =
-          module != nullptr
+          peer != nullptr
               ? "All methods in turn on the same footprints. OpenImageIO's texture system reads float texels "
                 "of a tiled pyramid, all in its cache. One thread."
               : "All methods in turn on the same footprints. One thread. OPENIMAGEIO'S TEXTURE SYSTEM IS "
@@ -197,7 +201,7 @@ Experiment measure_filters(const Effort& effort) {
   const std::span<const Picture> pictures = std::span(kPictures).subspan(effort.is_quick ? 1 : 0);
   double done = 0;
   for (const Picture& picture : pictures) {
-    measure_picture(picture, sizes, module, effort, table);
+    measure_picture(picture, sizes, peer, effort, table);
     add_plots(picture, experiment);
     effort.tell(++done / static_cast<double>(pictures.size()));
   }

@@ -34,7 +34,10 @@ struct Opened {
 
 std::string open(const float* texels, int side, void*& handle) try {
   auto opened = std::make_unique<Opened>();
-  std::string name = (std::filesystem::temp_directory_path() / "sweepkit-peer-XXXXXX").string();
+  std::error_code error;
+  const std::filesystem::path temporary = std::filesystem::temp_directory_path(error);
+  if (error) return "no folder for temporary files (TMPDIR): " + error.message();
+  std::string name = (temporary / "sweepkit-peer-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) return name + ": cannot be made";
   opened->folder = name;
   const std::string file = (opened->folder / "texture.tx").string();
