@@ -109,7 +109,7 @@ TestShape trefoil_tube() {
     return sweep::sweep(sweep::circle_contour(kKnotRadius), sweep::torus_knot(2, 3, 1, kKnotTube),
                         {.tessellation = tessellation, .has_half_edges = false});
   };
-  return {"trefoil",    "tube about a trefoil knot, swept",       2.8, 8, make,
+  return {"trefoil",    "tube about a trefoil knot, swept",       2.8, 6, make,
           swept_counts, tube_distance(trefoil, kKnotRadius, true)};
 }
 
@@ -133,7 +133,7 @@ TestShape spring_tube() {
     return sweep::sweep(sweep::circle_contour(kSpringRadius), sweep::helix(1, kSpringPitch, kSpringTurns),
                         {.tessellation = tessellation, .caps = sweep::Caps::kNone, .has_half_edges = false});
   };
-  return {"spring",     "tube about a helix of five turns, swept",  2.2, 16, make,
+  return {"spring",     "tube about a helix of five turns, swept",  2.2, 13, make,
           swept_counts, tube_distance(spring, kSpringRadius, false)};
 }
 
@@ -162,7 +162,7 @@ TestShape vase() {
                                                                                  const glm::dvec2& uv) {
     return distance_to_curve<2>(vase_contour, {std::hypot(p.x, p.z), p.y}, table->guess(uv.y), false);
   };
-  return {"vase", "a cubic contour revolved", 2, 0.5, make, counts, distance};
+  return {"vase", "a cubic contour revolved", 2, 0.75, make, counts, distance};
 }
 
 // ---- A spindle: an ellipse that turns by a half and swells along +Z
