@@ -25,12 +25,14 @@ struct Bent {
   glm::vec<D, double> position, first, second;
 };
 
+template <int D>
+using Formula = Bent<D> (*)(double t);
+
 // t at even shares of the length, so that a guess can be had from v, which runs by arc length.
 template <int D>
 class LengthTable {
  public:
-  template <class Formula>
-  explicit LengthTable(const Formula& formula) {
+  explicit LengthTable(Formula<D> formula) {
     constexpr int kSteps = 4096;
     std::vector<double> lengths = {0};
     for (int i = 0; i < kSteps; ++i)
@@ -52,8 +54,8 @@ class LengthTable {
 };
 
 // Newton's method for the foot of the perpendicular; beyond an end of an open curve the end is nearest.
-template <int D, class Formula>
-double distance_to_curve(const Formula& formula, const glm::vec<D, double>& p, double t, bool is_closed) {
+template <int D>
+double distance_to_curve(Formula<D> formula, const glm::vec<D, double>& p, double t, bool is_closed) {
   for (int step = 0; step < kMostSteps; ++step) {
     const Bent<D> at = formula(t);
     const auto back = at.position - p;
@@ -70,8 +72,7 @@ double distance_to_curve(const Formula& formula, const glm::vec<D, double>& p, d
   return glm::length(formula(t).position - p);
 }
 
-template <class Formula>
-SurfaceDistance tube_distance(const Formula& formula, double radius, bool is_closed) {
+SurfaceDistance tube_distance(Formula<3> formula, double radius, bool is_closed) {
   return [formula, radius, is_closed, table = std::make_shared<LengthTable<3>>(formula)](
              const glm::dvec3& p, const glm::dvec2& uv) {
     return std::abs(distance_to_curve<3>(formula, p, table->guess(uv.y), is_closed) - radius);
