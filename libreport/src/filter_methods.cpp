@@ -22,9 +22,9 @@ std::vector<FilterMethod> filter_methods(bool is_quick, bool has_peer) {
   using texmap::Filter;
   using Interpolation = PeerOptions::Interpolation;
   std::vector<FilterMethod> methods;
-  const std::vector<int> samples = is_quick ? std::vector{1, 3} : std::vector{1, 2, 3, 4, 6};
+  const std::vector<int> samples = is_quick ? std::vector{1, 3} : std::vector{1, 2, 4, 6};
   const std::vector<int> parts = is_quick ? std::vector{1, 4} : std::vector{1, 2, 4, kMostParts};
-  const std::vector<int> anisotropies = is_quick ? std::vector{1, 16} : std::vector{1, 2, 4, 8, 16, 32};
+  const std::vector<int> anisotropies = is_quick ? std::vector{1, 16} : std::vector{1, 4, 16, 64};
   for (const Filter filter : {Filter::kPoint, Filter::kBilinear}) {
     for (const int n : samples)
       methods.push_back({std::string(texmap::filter_name(filter)), sampled(n), OwnLookup{filter, n, 1}});
