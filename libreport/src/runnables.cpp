@@ -1,15 +1,22 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 #include "curves_experiment.hpp"
+#include "filters_experiment.hpp"
 #include "frames_experiment.hpp"
 #include "sweepkit/report/report.hpp"
+#include "tessellation_experiment.hpp"
+#include "triangle_maps_experiment.hpp"
 
 namespace sweepkit::report {
 
 const std::vector<Runnable>& runnables() {
-  static const std::vector<Runnable> all = {{"curves", "Points of Bezier segments", measure_curves},
-                                            {"lengths", "Arc length", measure_lengths},
-                                            {"frames", "Frames along a trajectory", measure_frames}};
+  static const std::vector<Runnable> all = {
+      {"curves", "Points of Bezier segments", measure_curves},
+      {"lengths", "Arc length", measure_lengths},
+      {"frames", "Frames along a trajectory", measure_frames},
+      {"tessellation", "Cells of a mesh", measure_tessellation},
+      {"triangle_maps", "From a hit on a triangle to its texture coordinates", measure_triangle_maps},
+      {"filters", "Texture filters", measure_filters}};
   return all;
 }
 

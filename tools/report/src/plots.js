@@ -71,10 +71,11 @@ var sweepkitPlots = (function() {
   }
 
   function curveOption(plot, curve, i, limits) {
-    var color = COLORS[i % COLORS.length];
+    // Beyond eight curves other pairs of colour and shape, dashed.
+    var round = Math.floor(i / COLORS.length), color = COLORS[(i + 3 * round) % COLORS.length];
     return {
       name: curve.name, type: 'line', color: color, symbol: SHAPES[i % SHAPES.length], symbolSize: 8, showSymbol: true,
-      lineStyle: {width: 2, color: color}, emphasis: {focus: 'series'},
+      lineStyle: {width: 2, color: color, type: round ? 'dashed' : 'solid'}, emphasis: {focus: 'series'},
       data: curve.points.map(function(point) {
         var hasFailed = point[0] === null || point[1] === null;
         return {
@@ -108,13 +109,17 @@ var sweepkitPlots = (function() {
     var look = isDark ? DARK : LIGHT, limits = {x: bounds(plot, 0), y: bounds(plot, 1)};
     var series = plot.curves.map(function(curve, i) { return curveOption(plot, curve, i, limits); });
     if (plot.front) series.unshift(frontOption(plot.front, look));
+    // On paper all names are there, in as many lines as they take.
+    var width = 0;
+    series.forEach(function(one) { width += 60 + 6.5 * one.name.length; });
+    var below = still ? 26 * Math.floor(width / 740) : 0;
     return {
       animation: false, backgroundColor: still ? look.ground : 'transparent',
       textStyle: {fontFamily: 'system-ui, sans-serif', color: look.ink},
       title: still ? {text: plot.title, left: 'center', top: 8, textStyle: {fontSize: 15, color: look.ink}} : undefined,
       legend: {top: still ? 34 : 0, textStyle: {color: look.ink}, type: still ? 'plain' : 'scroll', itemGap: still ? 22 : 10,
         data: series.map(function(one) { return one.name; })},
-      grid: {left: 84, right: 24, top: still ? 84 : 44, bottom: 54},
+      grid: {left: 84, right: 24, top: (still ? 84 : 44) + below, bottom: 54},
       xAxis: axisOption(plot.x, limits.x, look, true), yAxis: axisOption(plot.y, limits.y, look, false),
       tooltip: still ? undefined : {
         trigger: 'item', renderMode: 'richText', confine: true, backgroundColor: look.ground, borderColor: look.line,
