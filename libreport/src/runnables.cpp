@@ -9,7 +9,7 @@ namespace sweepkit::report {
 const std::vector<Runnable>& runnables() {
   static const std::vector<Runnable> all = {{"curves", "Points of Bezier segments", measure_curves},
                                             {"lengths", "Arc length", measure_lengths},
-                                            {"frames", "Frames along a trajectory", measure_frames}};
+                                            {"frames", "Frames along a trajectory", measure_frames, true}};
   return all;
 }
 

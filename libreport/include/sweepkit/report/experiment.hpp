@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <variant>
@@ -51,9 +52,11 @@ struct Experiment {
   std::vector<Plot> plots;
 };
 
-/// How much time a run may take.
+/// How much time a run may take, and on what it works.
 struct Effort {
   bool is_quick = false;
+  std::filesystem::path samples;  ///< the folder of the sample scenes
+  std::filesystem::path scene;    ///< measured in place of the samples where it is not empty
   /// Of the experiment, 0 to 1; may be empty.
   std::function<void(double)> on_progress;
 
