@@ -5,7 +5,9 @@
 #include <chrono>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <utility>
 
 #include "commands.hpp"
 #include "output.hpp"
@@ -97,7 +99,10 @@ report::Report measure(const ReportCommand& command, const std::vector<report::R
       };
     }
     effort.tell(0);
-    made.experiments.push_back(runnables[i].run(effort));
+    report::Experiment experiment = runnables[i].run(effort);
+    std::vector<report::Experiment> derived = std::exchange(experiment.derived, {});
+    made.experiments.push_back(std::move(experiment));
+    std::move(derived.begin(), derived.end(), std::back_inserter(made.experiments));
   }
   return made;
 }

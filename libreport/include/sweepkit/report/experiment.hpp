@@ -50,6 +50,8 @@ struct Experiment {
   std::string how;    ///< a paragraph: how, on how many threads
   Table table;
   std::vector<Plot> plots;
+  /// Other tables worked out of the same measurements, shown after this one; with no `derived` of their own.
+  std::vector<Experiment> derived;
 };
 
 /// How much time a run may take, and on what it works.
