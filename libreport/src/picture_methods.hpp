@@ -17,9 +17,9 @@ struct PictureMethod {
   render::Options options;   ///< one thread
 };
 
-/// Every filter with one ray a pixel, with 3x3 rays, and with adaptive rays at several thresholds of contrast;
-/// and plain sampling. One filter's methods stand together, and so do plain sampling's, from few samples to
-/// many.
+/// Every filter with one ray a pixel, with 3x3 rays, and with adaptive rays at several thresholds of
+/// contrast; and plain sampling. One filter's methods stand together, and so do plain sampling's, from few
+/// samples to many. A quick run leaves out three filters.
 std::vector<PictureMethod> picture_methods(bool is_quick);
 
 /// A picture of side x side point samples a pixel under a box of one pixel, as a reference.

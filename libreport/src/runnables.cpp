@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
+#include "accelerators_experiment.hpp"
 #include "curves_experiment.hpp"
 #include "frames_experiment.hpp"
 #include "pictures_experiment.hpp"
@@ -11,7 +12,8 @@ const std::vector<Runnable>& runnables() {
   static const std::vector<Runnable> all = {{"curves", "Points of Bezier segments", measure_curves},
                                             {"lengths", "Arc length", measure_lengths},
                                             {"frames", "Frames along a trajectory", measure_frames, true},
-{"pictures", "Whole pictures", measure_pictures, true}};
+                                            {"pictures", "Whole pictures", measure_pictures, true},
+                                            {"accelerators", "Accelerators", measure_accelerators}};
   return all;
 }
 
