@@ -4,6 +4,7 @@
 #include "curves_experiment.hpp"
 #include "frames_experiment.hpp"
 #include "pictures_experiment.hpp"
+#include "scale_experiment.hpp"
 #include "sweepkit/report/report.hpp"
 
 namespace sweepkit::report {
@@ -13,7 +14,8 @@ const std::vector<Runnable>& runnables() {
                                             {"lengths", "Arc length", measure_lengths},
                                             {"frames", "Frames along a trajectory", measure_frames, true},
                                             {"pictures", "Whole pictures", measure_pictures, true},
-                                            {"accelerators", "Accelerators", measure_accelerators}};
+                                            {"accelerators", "Accelerators", measure_accelerators},
+                                            {"scale", "Time and memory against size", measure_scale}};
   return all;
 }
 

@@ -5,8 +5,10 @@
 #include <chrono>
 #include <ctime>
 #include <filesystem>
+#include <iostream>
 #include <iterator>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "commands.hpp"
@@ -17,6 +19,7 @@
 #include "sweepkit/error.hpp"
 #include "sweepkit/report/plot_drawer.hpp"
 #include "sweepkit/report/report.hpp"
+#include "sweepkit/report/scale_step.hpp"
 #include "sweepkit/scene/document.hpp"
 #include "sweepkit/scene/output_file.hpp"
 
@@ -31,7 +34,8 @@ struct ReportCommand {
   Output output;  ///< its file is the folder
   bool is_quick = false;
   std::vector<std::string> only;
-  std::filesystem::path scene;  ///< measured in place of the samples
+  std::filesystem::path scene;                          ///< measured in place of the samples
+  std::tuple<std::string, std::string, int, int> step;  ///< a report::ScaleStep
 };
 
 std::string names() {
@@ -51,7 +55,11 @@ std::vector<report::Runnable> chosen(const std::vector<std::string>& only) {
 
 // What the experiments work on; refused before any of them runs.
 report::Effort effort_of(const ReportCommand& command, const std::vector<report::Runnable>& runnables) {
-  report::Effort effort{.is_quick = command.is_quick, .samples = samples_folder(), .scene = command.scene};
+  std::error_code ignored;
+  report::Effort effort{.is_quick = command.is_quick,
+                        .samples = samples_folder(),
+                        .scene = command.scene,
+                        .program = std::filesystem::canonical("/proc/self/exe", ignored)};
   if (!effort.scene.empty()) {
     scene::read_document(effort.scene);
   } else if (effort.samples.empty()) {
@@ -159,11 +167,20 @@ void add_report(CLI::App& app) {
       ->description("This experiment alone: " + names() + "; may be repeated");
   sub.add_option("--scene", command->scene, "Measure this scene in place of the samples")->type_name("SCENE");
   add_quiet(sub, command->output);
+  // How a report runs itself; not for people.
+  CLI::Option* step = sub.add_option("--scale-step", command->step)->group("");
   sub.footer(
       "The page needs no network. Each plot is also an SVG file, each table a CSV file, and all of it is in\n"
       "report.json.\n\n"
       "Example:\n  sweepkit report --quick -o report");
-  sub.callback([command] { run_report(*command); });
+  sub.callback([command, step] {
+    if (step->count() == 0) {
+      run_report(*command);
+      return;
+    }
+    const auto& [work, scene, threads, side] = command->step;
+    std::cout << report::run_scale_step({work, scene, threads, side}) << '\n';
+  });
 }
 
 }  // namespace sweepkit::tools

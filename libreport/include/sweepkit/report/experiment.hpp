@@ -59,6 +59,7 @@ struct Effort {
   bool is_quick = false;
   std::filesystem::path samples;  ///< the folder of the sample scenes
   std::filesystem::path scene;    ///< measured in place of the samples where it is not empty
+  std::filesystem::path program;  ///< sweepkit itself, which measures steps in processes of their own
   /// Of the experiment, 0 to 1; may be empty.
   std::function<void(double)> on_progress;
 
