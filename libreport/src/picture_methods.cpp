@@ -49,7 +49,8 @@ std::vector<PictureMethod> picture_methods(bool is_quick) {
     all.push_back({kind.name, "off", "off", options});
     for (const double contrast : {0.24, 0.12, 0.06, 0.03, 0.02, 0.01}) {
       // The thresholds of the program's own filter are turned more finely.
-      if (kind.filter != Filter::kAuto && contrast != 0.12 && contrast != 0.03) continue;
+      const bool is_coarse = contrast == 0.03 || (contrast == 0.12 && !is_quick);
+      if (kind.filter != Filter::kAuto && !is_coarse) continue;
       all.push_back(adaptive(kind.name, options, contrast));
     }
     options.supersampling = 3;
