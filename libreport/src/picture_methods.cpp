@@ -47,14 +47,15 @@ std::vector<PictureMethod> picture_methods(bool is_quick) {
     if (is_quick && !is_in_quick) continue;
     render::Options options{.filter = kind.filter, .footprint = kind.footprint, .threads = 1};
     all.push_back({kind.name, "off", "off", options});
+    options.supersampling = 3;
+    all.push_back({kind.name, "3x3", "3x3", options});
+    options.supersampling = 1;
     for (const double contrast : {0.24, 0.12, 0.06, 0.03, 0.02, 0.01}) {
       // The thresholds of the program's own filter are turned more finely.
       const bool is_coarse = contrast == 0.03 || (contrast == 0.12 && !is_quick);
       if (kind.filter != Filter::kAuto && !is_coarse) continue;
       all.push_back(adaptive(kind.name, options, contrast));
     }
-    options.supersampling = 3;
-    all.push_back({kind.name, "3x3", "3x3", options});
   }
   for (int side = 1; side <= (is_quick ? 8 : 16); side *= 2) {
     all.push_back({"plain", "plain", std::to_string(side * side) + " samples", plain_options(side)});

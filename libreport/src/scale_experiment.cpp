@@ -141,7 +141,7 @@ Experiment measure_scale(const Effort& effort) {
       .how =
           "Each step runs in a process of its own. Its memory is the largest resident size that the kernel "
           "tells "
-          "(VmHWM, forgotten before the step by clear_refs) above the resident size before it, in the first "
+          "(VmHWM, forgotten before the step by clear_refs) above the resident size before it, in the second "
           "run; "
           "its time is the median of the runs after that. One thread, but where threads are counted."};
   experiment.table.columns = {{"against", "against"},

@@ -103,7 +103,7 @@ TEST(Pictures, AQuickRunOfASceneHasARowForEveryMethod) {
   EXPECT_EQ(experiment.plots.size(), 4u);
   ASSERT_EQ(experiment.derived.size(), 2u);
   EXPECT_EQ(experiment.derived[0].name, "speedups");
-  EXPECT_EQ(experiment.derived[0].table.rows.size(), 3u * 5);
+  EXPECT_EQ(experiment.derived[0].table.rows.size(), 4u * 5);
   EXPECT_EQ(experiment.derived[1].name, "cost");
   EXPECT_EQ(std::get<double>(experiment.derived[1].table.rows[0][3]), 20.0 / 15);
 }
