@@ -15,7 +15,8 @@ namespace sweepkit::report {
 /// of segments. Precondition: it has no corner.
 TestCurve curve_of(std::string name, std::string title, sweep::Curve3 trajectory);
 
-/// The trajectories of three samples, or those of the scene in their place, that leave a plane and have no corner.
+/// The trajectories of three samples, or those of the scene in their place, that leave a plane and have no
+/// corner.
 std::vector<TestCurve> sample_curves(const Effort& effort);
 
 }  // namespace sweepkit::report
