@@ -34,14 +34,14 @@ std::uint64_t calls_of_a_run(const std::function<void()>& call) {
   }
 }
 
+}  // namespace
+
 Timing timing_of(std::vector<double> seconds) {
   std::sort(seconds.begin(), seconds.end());
   const std::size_t half = seconds.size() / 2;
   const double median = seconds.size() % 2 == 1 ? seconds[half] : (seconds[half - 1] + seconds[half]) / 2;
   return {median, seconds.front(), seconds.back(), static_cast<int>(seconds.size())};
 }
-
-}  // namespace
 
 std::vector<Timing> time_in_turn(const std::vector<std::function<void()>>& calls, const Effort& effort) {
   std::vector<std::uint64_t> repeats;

@@ -24,6 +24,9 @@ struct Timing {
   }
 };
 
+/// Of measured seconds. Precondition: not empty.
+Timing timing_of(std::vector<double> seconds);
+
 /// At least five runs (more where they are short), each of as many calls as last long enough to be read from
 /// the clock, after one that warms up.
 Timing time_calls(const std::function<void()>& call, const Effort& effort);

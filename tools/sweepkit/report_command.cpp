@@ -5,15 +5,22 @@
 #include <chrono>
 #include <ctime>
 #include <filesystem>
+#include <iostream>
+#include <iterator>
 #include <memory>
+#include <tuple>
+#include <utility>
 
 #include "commands.hpp"
 #include "output.hpp"
 #include "page_template.hpp"
 #include "progress.hpp"
+#include "samples_folder.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/report/plot_drawer.hpp"
 #include "sweepkit/report/report.hpp"
+#include "sweepkit/report/scale_step.hpp"
+#include "sweepkit/scene/document.hpp"
 #include "sweepkit/scene/output_file.hpp"
 
 namespace sweepkit::tools {
@@ -27,6 +34,8 @@ struct ReportCommand {
   Output output;  ///< its file is the folder
   bool is_quick = false;
   std::vector<std::string> only;
+  std::filesystem::path scene;                          ///< measured in place of the samples
+  std::tuple<std::string, std::string, int, int> step;  ///< a report::ScaleStep
 };
 
 std::string names() {
@@ -42,6 +51,26 @@ std::vector<report::Runnable> chosen(const std::vector<std::string>& only) {
     if (std::find(only.begin(), only.end(), one.name) != only.end()) runnables.push_back(one);
   }
   return runnables;
+}
+
+// What the experiments work on; refused before any of them runs.
+report::Effort effort_of(const ReportCommand& command, const std::vector<report::Runnable>& runnables) {
+  std::error_code ignored;
+  report::Effort effort{.is_quick = command.is_quick,
+                        .samples = samples_folder(),
+                        .scene = command.scene,
+                        .program = std::filesystem::canonical("/proc/self/exe", ignored)};
+  if (!effort.scene.empty()) {
+    scene::read_document(effort.scene);
+  } else if (effort.samples.empty()) {
+    for (const report::Runnable& one : runnables) {
+      if (!one.needs_scenes) continue;
+      throw InputError("the experiment " + one.name +
+                       " needs the sample scenes, which are missing (share/sweepkit/samples beside the "
+                       "program's bin): install sweepkit again, or name a scene of your own by --scene");
+    }
+  }
+  return effort;
 }
 
 // The folder is made where the one it is in is there.
@@ -63,23 +92,25 @@ std::string now() {
   return text;
 }
 
-report::Report measure(const ReportCommand& command) {
+report::Report measure(const ReportCommand& command, const std::vector<report::Runnable>& runnables,
+                       report::Effort effort) {
   report::Report made{.version = SWEEPKIT_VERSION,
                       .date = now(),
                       .is_quick = command.is_quick,
                       .machine = report::this_machine()};
   Progress progress(command.output.is_quiet);
   const std::function<void(double)> bar = progress.callback();
-  const std::vector<report::Runnable> runnables = chosen(command.only);
   for (std::size_t i = 0; i < runnables.size(); ++i) {
-    report::Effort effort{.is_quick = command.is_quick};
     if (bar) {
       effort.on_progress = [&, i](double done) {
         bar((static_cast<double>(i) + done) / static_cast<double>(runnables.size()));
       };
     }
     effort.tell(0);
-    made.experiments.push_back(runnables[i].run(effort));
+    report::Experiment experiment = runnables[i].run(effort);
+    std::vector<report::Experiment> derived = std::exchange(experiment.derived, {});
+    made.experiments.push_back(std::move(experiment));
+    std::move(derived.begin(), derived.end(), std::back_inserter(made.experiments));
   }
   return made;
 }
@@ -89,8 +120,10 @@ void run_report(const ReportCommand& command) {
   const std::filesystem::path folder = command.output.file;
   const std::string page_template = read_bundled(kPage, kPurpose);
   report::PlotDrawer drawer(read_bundled(kPlots, kPurpose));
+  const std::vector<report::Runnable> runnables = chosen(command.only);
+  const report::Effort effort = effort_of(command, runnables);
   prepare_folder(folder);
-  const report::Report made = measure(command);
+  const report::Report made = measure(command, runnables, effort);
 
   std::vector<std::pair<std::string, std::string>> texts;
   for (const report::Experiment& experiment : made.experiments) {
@@ -132,12 +165,22 @@ void add_report(CLI::App& app) {
         return all;
       }()))
       ->description("This experiment alone: " + names() + "; may be repeated");
+  sub.add_option("--scene", command->scene, "Measure this scene in place of the samples")->type_name("SCENE");
   add_quiet(sub, command->output);
+  // How a report runs itself; not for people.
+  CLI::Option* step = sub.add_option("--scale-step", command->step)->group("");
   sub.footer(
       "The page needs no network. Each plot is also an SVG file, each table a CSV file, and all of it is in\n"
       "report.json.\n\n"
       "Example:\n  sweepkit report --quick -o report");
-  sub.callback([command] { run_report(*command); });
+  sub.callback([command, step] {
+    if (step->count() == 0) {
+      run_report(*command);
+      return;
+    }
+    const auto& [work, scene, threads, side] = command->step;
+    std::cout << report::run_scale_step({work, scene, threads, side}) << '\n';
+  });
 }
 
 }  // namespace sweepkit::tools

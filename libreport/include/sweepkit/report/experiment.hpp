@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <variant>
@@ -49,11 +50,16 @@ struct Experiment {
   std::string how;    ///< a paragraph: how, on how many threads
   Table table;
   std::vector<Plot> plots;
+  /// Other tables worked out of the same measurements, shown after this one; with no `derived` of their own.
+  std::vector<Experiment> derived;
 };
 
-/// How much time a run may take.
+/// How much time a run may take, and on what it works.
 struct Effort {
   bool is_quick = false;
+  std::filesystem::path samples;  ///< the folder of the sample scenes
+  std::filesystem::path scene;    ///< measured in place of the samples where it is not empty
+  std::filesystem::path program;  ///< sweepkit itself, which measures steps in processes of their own
   /// Of the experiment, 0 to 1; may be empty.
   std::function<void(double)> on_progress;
 

@@ -34,6 +34,7 @@ struct Runnable {
   std::string name;
   std::string title;
   std::function<Experiment(const Effort&)> run;
+  bool needs_scenes = false;  ///< Effort::samples or Effort::scene
 };
 
 /// All there are, in the order in which a report shows them.
