@@ -69,6 +69,8 @@ struct RayCounts {
   std::uint64_t shadow = 0;
   std::uint64_t texcoords = 0;
   std::uint64_t shares = 0;  ///< nodes whose shares were worked out
+
+  void add(const RayCounts& other);
 };
 
 /// Fills rows of trees.

@@ -42,6 +42,8 @@ struct Render {
   int frames_per_turn = 0;
   bool skips_existing = false;
   bool is_progressive = false;
+  double most_error = 0;    // linear RMSE; 0: not asked for
+  double most_seconds = 0;  // 0: not asked for
   std::string statistics;   // a file
   std::string key_options;  // the options that change the picture, in one text
 };
