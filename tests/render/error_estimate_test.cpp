@@ -16,7 +16,7 @@ using test::Stage;
 Stage torus() {
   return Stage(
       R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 32, "height": 32},
-    "lights": [{"position": [2, 5, 3]}], "textures": {"t": {"procedural": "checker"}},
+    "lights": [{"point": [2, 5, 3]}], "textures": {"t": {"procedural": "checker"}},
     "materials": {"m": {"texture": "t"}, "mirror": {"reflect": 0.4}},
     "objects": [{"name": "floor", "material": "m", "plane": {"size": [6, 6]}},
                 {"name": "torus", "material": "mirror", "translate": [0, 0.6, 0],
