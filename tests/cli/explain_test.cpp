@@ -53,10 +53,10 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
   ASSERT_EQ(run.status, 0) << run.err;
   const auto parts = parts_of(run.out);
   for (const char* name :
-       {"half-edges",       "(u,v) layouts",      "textures",      "baked textures",  "glass thicknesses",
-        "integral tables",  "texture tiles",      "(u,v) at hits", "filtered nodes",  "ray differentials",
-        "row buffers",      "intersection trees", "refractions",   "shares by angle", "dimmed shadows",
-        "shadow edges",     "background image",   "supersampling", "refinement",      "layers",
+       {"half-edges",        "(u,v) layouts",      "textures",      "baked textures",  "glass thicknesses",
+        "integral tables",   "texture tiles",      "(u,v) at hits", "filtered nodes",  "ray differentials",
+        "row buffers",       "intersection trees", "refractions",   "shares by angle", "dimmed shadows",
+        "shadow edges",      "background image",   "supersampling", "refinement",      "layers",
         "tree over objects", "error estimate"}) {
     expect_left_out(parts, name);
   }
