@@ -29,10 +29,13 @@ using Clock = std::chrono::steady_clock;
 // For each cause. The relative error of the estimate is then about 1 / sqrt(192) times the spread of the
 // ratios of true and expected squared errors, which is about 2: a seventh, and half of that for the root.
 constexpr std::size_t kChecks = 192;
-// Rays of a check's A and of its B. The error left of 16 rays is well below that of one; that of a refined
-// pixel needs more.
+// Rays of a check's A and of its B. The error left of 16 rays is well below that of one; a refined pixel is
+// checked by as many rays as it has, for else their noise would hide its error, and by this many at least.
 constexpr int kCheckRays = 16;
-constexpr int kRefinedCheckRays = 64;
+constexpr int kFewestRefinedCheckRays = 32;
+// Where little error is left, what is found may come to nothing by chance. The rays' own variance is not
+// wrong by more than this.
+constexpr double kLeastOfRefined = 0.1;
 // The squared error is lowered to no less than this part of it before it is checked again, so that a wrong
 // expectation does not refine far beyond the goal.
 constexpr double kStep = 0.25;
@@ -133,9 +136,11 @@ std::vector<PictureRefiner::Check> PictureRefiner::choose_checks() const {
 }
 
 double PictureRefiner::squared_error(PixelSampler::Thread& thread, const Check& check) const {
-  const int count = check.cause == kRefined ? kRefinedCheckRays : kCheckRays;
+  const int count = check.cause == kRefined
+                        ? std::max(kFewestRefinedCheckRays, static_cast<int>(errors_[check.pixel].rays))
+                        : kCheckRays;
   const std::span<const glm::dvec2> pattern = pixel_pattern();
-  std::array<glm::dvec2, kRefinedCheckRays> places;
+  std::array<glm::dvec2, kMostRefiningRays> places;
   std::array<glm::dvec3, 2> left;
   const auto width = static_cast<std::size_t>(image_.width);
   const std::uint64_t seed =
@@ -174,7 +179,7 @@ void PictureRefiner::check() {
   double sum = 0;
   for (std::size_t c = 0; c < kCauses; ++c) {
     // Below 0 by chance alone.
-    errors[c] = std::max(errors[c], 0.0);
+    errors[c] = std::max(errors[c], c == kRefined ? kLeastOfRefined * measures[c] : 0.0);
     sum += errors[c];
     if (measures[c] > 0) factors_[c] = std::max(errors[c] / measures[c], 1e-6);
   }
@@ -274,7 +279,7 @@ void PictureRefiner::reach(const Goal& goal) {
     const double first = goal.seconds_left();
     const auto budget = [&]() -> std::uint64_t {
       // The last check comes after it.
-      const double check_seconds = kChecks * (4 * kCheckRays + 2 * kRefinedCheckRays) / rays_a_second_;
+      const double check_seconds = kChecks * (4 * kCheckRays + 2 * kMostRefiningRays) / rays_a_second_;
       const double left = goal.seconds_left() - check_seconds;
       if (!(left > 0.02 * first)) return 0;
       return static_cast<std::uint64_t>(0.5 * left * rays_a_second_);
