@@ -26,6 +26,16 @@ Shares merged(const Shares& shares, double weight) {
 
 }  // namespace
 
+void RayCounts::add(const RayCounts& other) {
+  eye += other.eye;
+  reflected += other.reflected;
+  refracted += other.refracted;
+  shadow += other.shadow;
+  texcoords += other.texcoords;
+  shares += other.shares;
+  normals += other.normals;
+}
+
 std::size_t TreeRow::bytes() const {
   return roots.capacity() * sizeof(roots[0]) + nodes.capacity() * sizeof(nodes[0]) +
          texcoords.capacity() * sizeof(texcoords[0]) + reflections.capacity() * sizeof(reflections[0]) +

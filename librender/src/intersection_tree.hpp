@@ -75,6 +75,8 @@ struct RayCounts {
   std::uint64_t texcoords = 0;
   std::uint64_t shares = 0;   ///< nodes whose shares were worked out
   std::uint64_t normals = 0;  ///< looked up in normal maps
+
+  void add(const RayCounts& other);
 };
 
 /// Fills rows of trees.

@@ -83,11 +83,18 @@ void switch_on(Plan& plan, const Usage& usage, bool has_light, const Document& d
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",      "(u,v) layouts",      "textures",         "baked textures",  "glass thicknesses",
-      "integral tables", "texture tiles",      "(u,v) at hits",    "filtered nodes",  "ray differentials",
-      "row buffers",     "intersection trees", "refractions",      "shares by angle", "shadow rays",
-      "dimmed shadows",  "shadow edges",       "background image", "supersampling",   "refinement",
-      "layers",          "tree over objects",  "normal maps"};
+      "half-edges",        "(u,v) layouts",
+      "textures",          "baked textures",
+      "glass thicknesses", "integral tables",
+      "texture tiles",     "(u,v) at hits",
+      "filtered nodes",    "ray differentials",
+      "row buffers",       "intersection trees",
+      "refractions",       "shares by angle",
+      "shadow rays",       "dimmed shadows",
+      "shadow edges",      "background image",
+      "supersampling",     "refinement",
+      "error estimate",    "layers",
+      "tree over objects", "normal maps"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -147,8 +154,9 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kTexcoords, usage.reads_uv,
               usage.reads_uv ? "textures are looked up by (u,v)" : "no texture of colours reads (u,v)");
   const bool has_neighbours = has_footprints && request.has_neighbours;
-  // The rays that refine a pixel have no neighbours to look at.
-  const bool has_differentials = has_footprints && (request.has_differentials || request.is_refined);
+  // The rays that refine or check a pixel have no neighbours to look at.
+  const bool has_differentials =
+      has_footprints && (request.has_differentials || request.is_refined || request.estimates_error);
   const bool has_shadow_edges = has_light && request.has_smooth_shadows;
   const std::string no_footprints =
       usage.has_color_image || usage.has_procedural ? filter : "no texture of colours is used";
@@ -198,6 +206,8 @@ Plan plan(const Document& document, const Request& request) {
               request.is_supersampled ? "it was asked for" : "it was not asked for");
   picture_row(Part::kRefinement, request.is_refined,
               request.is_refined ? "it was asked for" : "it was not asked for");
+  picture_row(Part::kErrorEstimate, request.estimates_error,
+              request.estimates_error ? "it was asked for" : "it was not asked for");
   picture_row(Part::kLayers, request.has_layers,
               request.has_layers ? "they were asked for" : "they were not asked for");
   const bool has_several =

@@ -57,7 +57,7 @@ TEST(Explain, OfAPlainSceneShowsTexturesTablesRowsAndTreesLeftOutAtNoCost) {
         "integral tables",   "texture tiles",      "(u,v) at hits", "filtered nodes",  "ray differentials",
         "row buffers",       "intersection trees", "refractions",   "shares by angle", "dimmed shadows",
         "shadow edges",      "background image",   "supersampling", "refinement",      "layers",
-        "tree over objects", "normal maps"}) {
+        "tree over objects", "normal maps",        "error estimate"}) {
     expect_left_out(parts, name);
   }
   EXPECT_EQ(parts.at("shadow rays").needed, "true");
@@ -81,7 +81,7 @@ TEST(Explain, OfASceneThatNeedsNearlyEverythingCountsAllButWhatGlassTablesAndRef
     if (name == "half-edges" || name == "(u,v) layouts" || name == "baked textures" ||
         name == "glass thicknesses" || name == "integral tables" || name == "refractions" ||
         name == "shares by angle" || name == "dimmed shadows" || name == "background image" ||
-        name == "refinement" || name == "normal maps") {
+        name == "refinement" || name == "normal maps" || name == "error estimate") {
       expect_left_out(parts_of(run.out), name);
     } else {
       EXPECT_EQ(part.needed, "true") << name;

@@ -21,11 +21,12 @@ TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrObjectTree) {
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   const Picture picture = stage.draw({.shadows = Shadows::kHard});
   for (const Part part :
-       {Part::kHalfEdges,     Part::kTextures,    Part::kBakes,         Part::kTables,
-        Part::kTiles,         Part::kTexcoords,   Part::kFilteredNodes, Part::kDifferentials,
-        Part::kRows,          Part::kTrees,       Part::kRefractions,   Part::kShares,
-        Part::kDimmedShadows, Part::kShadowEdges, Part::kEnvironment,   Part::kSupersampling,
-        Part::kRefinement,    Part::kLayers,      Part::kObjectTree,    Part::kNormalMaps}) {
+       {Part::kHalfEdges,     Part::kTextures,      Part::kBakes,         Part::kTables,
+        Part::kTiles,         Part::kTexcoords,     Part::kFilteredNodes, Part::kDifferentials,
+        Part::kRows,          Part::kTrees,         Part::kRefractions,   Part::kShares,
+        Part::kDimmedShadows, Part::kShadowEdges,   Part::kEnvironment,   Part::kSupersampling,
+        Part::kRefinement,    Part::kErrorEstimate, Part::kLayers,        Part::kObjectTree,
+        Part::kNormalMaps}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
   }

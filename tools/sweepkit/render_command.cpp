@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdio>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -26,6 +28,25 @@ using Clock = std::chrono::steady_clock;
 
 // The pixels each way that share a ray in the stages of --progressive, before the picture itself.
 constexpr std::array<int, 3> kPreviewSteps = {8, 4, 2};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// What is left of --time: less a little for what cannot be foreseen, and for encoding and writing the file,
+// which takes about so long for a pixel.
+std::function<double()> seconds_left(double seconds, Clock::time_point start, int width, int height) {
+  constexpr double kSecondsAPixel = 2e-7;
+  const double most = 0.97 * seconds - kSecondsAPixel * width * height;
+  return [=] { return most - seconds_since(start); };
+}
+
+// "0.0123"
+std::string error_text(double error) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", error);
+  return text;
+}
 
 scene::Document read_document(const Render& command, const scene::SceneFile& scene) {
   scene::Document document = scene.document();
@@ -84,7 +105,8 @@ scene::Plan make_plan(const Render& command, const scene::Document& document) {
                                 .filter = options.filter,
                                 .texture_memory = command.texture_megabytes << 20,
                                 .is_supersampled = options.supersampling > 1,
-                                .is_refined = options.adaptive.has_value(),
+                                .is_refined = options.adaptive.has_value() || options.goal.has_value(),
+                                .estimates_error = options.estimates_error,
                                 .has_smooth_shadows = options.shadows == render::Shadows::kSmooth,
                                 .has_layers = !options.layers.empty(),
                                 .shows_texcoords = std::ranges::find(options.layers, render::Layer::kUv) !=
@@ -115,8 +137,9 @@ void mark_jobs(const Render& command, RenderRequest& request, const scene::Scene
 // Draws the jobs one after another and writes each as soon as it is whole.
 class PictureWriter {
  public:
-  PictureWriter(const Render& command, const RenderRequest& request, const scene::Plan& plan, Phases& phases)
-      : command_(command), request_(request), plan_(plan), phases_(phases) {}
+  PictureWriter(const Render& command, const RenderRequest& request, const scene::Plan& plan, Phases& phases,
+                Clock::time_point start)
+      : command_(command), request_(request), plan_(plan), phases_(phases), start_(start) {}
 
   void draw(scene::Model& model, const scene::Document& document) {
     if (!request_.jobs.empty()) {
@@ -204,7 +227,7 @@ class PictureWriter {
   void add_statistics(scene::StagedFiles& files, const scene::Ledger& built) {
     RenderTotal total = total_;
     total.ledger.add(built);
-    statistics_ = to_json(statistics_report(total, phases_, plan_));
+    statistics_ = to_json(statistics_report(total, phases_, plan_, seconds_since(start_)));
     files.add({command_.statistics, std::as_bytes(std::span(statistics_))});
   }
 
@@ -212,6 +235,7 @@ class PictureWriter {
   const RenderRequest& request_;
   const scene::Plan& plan_;
   Phases& phases_;
+  Clock::time_point start_;
   Progress* progress_ = nullptr;  // while pictures are drawn
   RenderTotal total_;
   std::string statistics_;
@@ -232,6 +256,8 @@ void draw(Render& command) {
     command.options.crop = part;
     request.encoding.window = {part.x, part.y, document.width, document.height};
   }
+  if (command.most_seconds > 0)
+    command.options.goal->seconds_left = seconds_left(command.most_seconds, start, part.width, part.height);
   const scene::Plan plan = make_plan(command, document);
   if (output.file.empty()) {
     print({{}, {plan_table(plan, {})}}, output);
@@ -242,7 +268,7 @@ void draw(Render& command) {
     mark_jobs(command, request, scene, {.width = document.width, .height = document.height, .area = whole});
   }
   phases.end(Phase::kReading);
-  PictureWriter writer(command, request, plan, phases);
+  PictureWriter writer(command, request, plan, phases, start);
   scene::Model model;
   if (!request.jobs.empty()) {
     model = build(command, document, plan);
@@ -257,17 +283,29 @@ void draw(Render& command) {
     ledger.add(writer.total().ledger);
     print({{}, {plan_table(plan, ledger)}}, output);
   }
-  const std::string seconds = duration_text(std::chrono::duration<double>(Clock::now() - start).count());
+  const std::string seconds = duration_text(seconds_since(start));
+  const RenderTotal& total = writer.total();
+  const std::string error = total.estimates > 0 ? ", error about " + error_text(total.error.rmse) : "";
   const std::string name = output.is_standard() ? "standard output" : output.file;
   const std::string pixels = std::to_string(part.width) + " x " + std::to_string(part.height) + " pixels";
   const std::size_t drawn = request.jobs.size();
   if (!command.frames.empty()) {
     say(name + ": " + std::to_string(drawn) + (drawn == 1 ? " frame" : " frames") + " of " + pixels +
             (drawn < wanted ? ", " + std::to_string(wanted - drawn) + " there already," : "") + " in " +
-            seconds,
+            seconds + error,
         output);
   } else {
-    say(name + ": " + (drawn > 0 ? pixels + " in " + seconds : "is there already"), output);
+    say(name + ": " + (drawn > 0 ? pixels + " in " + seconds + error : "is there already"), output);
+  }
+  if (command.most_error > 0 && total.error.rmse > 1.1 * command.most_error) {
+    say(name + ": --error " + error_text(command.most_error) + " takes more than " +
+            std::to_string(render::kMostRefiningRays) + " rays a pixel, the most there are",
+        output);
+  }
+  if (command.most_seconds > 0 && drawn > 0 && seconds_since(start) > 1.2 * command.most_seconds) {
+    say(name + ": --time " + error_text(command.most_seconds) +
+            " s is less than the picture takes by one ray a pixel",
+        output);
   }
 }
 

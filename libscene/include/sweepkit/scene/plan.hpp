@@ -37,6 +37,7 @@ enum class Part {
   kEnvironment,    ///< a picture as background, looked up by direction
   kSupersampling,  ///< the larger picture that is shrunk
   kRefinement,     ///< pixels compared with their neighbours and given more rays
+  kErrorEstimate,  ///< what is known of each pixel's error, and pixels drawn again to check it
   kLayers,         ///< depth, normals and the like beside the picture
   kObjectTree,     ///< the tree over the objects' boxes
   kNormalMaps,     ///< tangents, and normals looked up in their frames
@@ -72,6 +73,7 @@ struct Request {
   std::size_t texture_memory = texmap::kDefaultTextureMemory;  ///< bytes that a picture's textures may fill
   bool is_supersampled = false;
   bool is_refined = false;          ///< pixels that differ from their neighbours have more rays
+  bool estimates_error = false;     ///< how far the picture is from the true one is told, too
   bool has_smooth_shadows = false;  ///< shadow edges are averaged over the neighbours
   bool has_layers = false;          ///< something besides colours is told of each pixel
   bool shows_texcoords = false;     ///< (u,v) is, of that
