@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves_experiment.hpp"
 #include "frames_experiment.hpp"
+#include "stability_experiment.hpp"
 #include "sweepkit/report/report.hpp"
 
 namespace sweepkit::report {
@@ -9,7 +10,8 @@ namespace sweepkit::report {
 const std::vector<Runnable>& runnables() {
   static const std::vector<Runnable> all = {{"curves", "Points of Bezier segments", measure_curves},
                                             {"lengths", "Arc length", measure_lengths},
-                                            {"frames", "Frames along a trajectory", measure_frames}};
+                                            {"frames", "Frames along a trajectory", measure_frames},
+                                            {"stability", "Stiff and extreme cases", measure_stability}};
   return all;
 }
 

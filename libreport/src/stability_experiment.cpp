@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the sweepkit authors
+// SPDX-License-Identifier: MIT
+#include "stability_experiment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stability/stability_case.hpp"
+
+namespace sweepkit::report {
+namespace {
+
+// An error of 0 has no place on a logarithmic axis.
+constexpr double kLeastDrawn = 1e-6;
+
+Cell cell(const std::optional<double>& value) {
+  return value ? Cell(*value) : Cell("");
+}
+
+std::string verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kPass:
+      return "pass";
+    case Verdict::kFail:
+      return "fail";
+    case Verdict::kKnownLimit:
+      break;
+  }
+  return "known limit";
+}
+
+}  // namespace
+
+Experiment measure_stability(const Effort& effort) {
+  Experiment experiment{
+      .name = "stability",
+      .title = "Stiff and extreme cases",
+      .what =
+          "What each case of a catalogue reached, and the bound that the promise it belongs to gives for its "
+          "input. References are closed forms, quadruple precision or invariants.",
+      .how =
+          "One run a case, double precision but where a column says float32, one thread. Reached over bound "
+          "below 1 keeps the promise; drawn at 1e-6 where it is less. A bound of 0 asks for the same bits."};
+  Table& table = experiment.table;
+  table.columns = {{"case", "case"},
+                   {"stage", "stage"},
+                   {"input", "input"},
+                   {"hardness", "how hard"},
+                   {"hardness_is", "what that is"},
+                   {"promise", "promise"},
+                   {"unit", "unit of reached and bound"},
+                   {"reached", "reached"},
+                   {"bound", "bound"},
+                   {"over_bound", "reached over bound"},
+                   {"over_bound_drawn", "reached over bound (1e-6 where less)"},
+                   {"reached_float", "reached in float32"},
+                   {"reached_double", "reached by the textbook in double"},
+                   {"verdict", "verdict"},
+                   {"reason", "reason of a known limit"}};
+  const std::vector<StabilityCase>& cases = stability_cases();
+  double done = 0;
+  for (const StabilityCase& one : cases) {
+    effort.tell(done++ / static_cast<double>(cases.size()));
+    const Reached reached = one.run();
+    const double over = over_bound(reached);
+    table.rows.push_back({one.name, one.stage, one.input, one.hardness, one.hardness_is, one.promise,
+                          one.unit, reached.error, reached.bound, over,
+                          over < kLeastDrawn ? kLeastDrawn : over, cell(reached.in_float),
+                          cell(reached.in_double), verdict_name(verdict_of(one, reached)), one.limit});
+  }
+  experiment.plots.push_back({.name = "stability",
+                              .title = "Reached over bound against hardness: below 1 keeps the promise",
+                              .x = "hardness",
+                              .y = "over_bound_drawn",
+                              .by = "stage",
+                              .only = "",
+                              .only_is = "",
+                              .label = "case"});
+  return experiment;
+}
+
+}  // namespace sweepkit::report
