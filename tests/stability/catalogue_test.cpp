@@ -40,7 +40,7 @@ TEST_P(StiffCase, MakesNoNaNOrInfinityOnTheWayOrHasAReasonWhy) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, StiffCase, testing::ValuesIn(stability_cases()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& one) { return one.param.name; });
 
 TEST(StabilityCatalogue, HasSixtyCasesOfDifferentNamesOverEveryStage) {
   std::set<std::string> names;

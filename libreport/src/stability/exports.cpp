@@ -170,8 +170,8 @@ StabilityCase gltf_far(double distance, const std::string& power) {
 
 std::vector<StabilityCase> export_cases() {
   return {mesh_file("ply", 1e3, "1e3"), mesh_file("ply", 1e7, "1e7"), mesh_file("obj", 1e7, "1e7"),
-          mesh_file("stl", 1, "1"),     mesh_file("stl", 1e7, "1e7"), gltf_bounds(1e-9, "1e_9"),
-          gltf_bounds(1, "1"),          gltf_bounds(1e9, "1e9"),      gltf_far(1e3, "1e3"),
+          mesh_file("stl", 1, "1"),     mesh_file("stl", 1e7, "1e7"), gltf_bounds(1e-8, "1e_8"),
+          gltf_bounds(1, "1"),          gltf_bounds(1e8, "1e8"),      gltf_far(1e3, "1e3"),
           gltf_far(1e7, "1e7")};
 }
 

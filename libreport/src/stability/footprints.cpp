@@ -86,17 +86,29 @@ StabilityCase in_range(const std::string& name, const std::string& input, double
 StabilityCase whole_texture(double repeats, const std::string& power) {
   return {.name = "footprints_whole_" + power,
           .stage = kStage,
-          .input = "a pixel that covers " + power + " whole repeats each way, table filters and pyramids",
+          .input = "boxes and a pixel that cover " + power + " whole repeats each way, tables and a pyramid",
           .hardness = kSide * repeats,
           .hardness_is = "texels across the pixel",
           .promise = "table filters: within 1e-3 of an 8-bit level (pyramids: rounded once a level)",
           .unit = "8-bit levels from the mean",
           .run = [repeats] {
-            const double worst =
-                over_filters([&](const texmap::Image& image, texmap::Filter filter, const auto& sample) {
-                  if (!texmap::reads_table(filter) && filter != texmap::Filter::kTrilinear) return 0.0;
-                  return std::abs(sample({{0.3, 0.7}, {repeats, 0}, {0, repeats}}) - mean_of(image)) / kLevel;
-                });
+            const auto image = noise();
+            const double mean = mean_of(*image);
+            double worst = 0;
+            for (const texmap::Filter filter : {texmap::Filter::kTrilinear, texmap::Filter::kIntegral1,
+                                                texmap::Filter::kIntegral2, texmap::Filter::kIntegral3}) {
+              texmap::TileCache cache(texmap::kDefaultTextureMemory);
+              const texmap::TextureSampler sampler({image, texmap::Wrap::kRepeat}, filter, cache, 0);
+              texmap::FilterThread thread(cache);
+              // Each of the boxes that are convolved is of whole repeats, so the mean is all that is left.
+              const double order =
+                  1 + static_cast<int>(filter) - static_cast<int>(texmap::Filter::kIntegral1);
+              const glm::dvec2 corner(0.25, 0.75);
+              const glm::vec3 value = texmap::reads_table(filter)
+                                          ? sampler.over_box({corner, corner + order * repeats}, thread)
+                                          : sampler.sample({corner, {repeats, 0}, {0, repeats}}, thread);
+              worst = worse(worst, std::abs(static_cast<double>(value.x) - mean) / kLevel);
+            }
             // Six levels of a pyramid, each rounded to 16 bits by half a step.
             return Reached{.error = worst, .bound = 1e-3 + 6 * 0.5 / 65535 / kLevel};
           }};
@@ -122,7 +134,9 @@ StabilityCase far_repeats(double repeats, const std::string& power) {
               }
               return most;
             });
-            return Reached{.error = worst, .bound = 0x1p-24 / kLevel};
+            // Filters take several places of a footprint, each rounded where it is, against a slope of the
+            // whole range (1/2) a texel; and the result's own step.
+            return Reached{.error = worst, .bound = (0.5 * kSide * repeats * kRounding + 0x1p-24) / kLevel};
           }};
 }
 

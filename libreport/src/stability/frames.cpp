@@ -81,13 +81,16 @@ StabilityCase half_turn(double short_of, const std::string& power) {
           .promise = kFinite,
           .unit = "of a unit frame",
           .run = [short_of] {
-            const glm::dvec3 from(0, 0, 1);
             const glm::dvec3 to(std::sin(short_of), 0, -std::cos(short_of));
             Reached reached{.bound = 16 * kRounding};
             for (int i = 0; i < 16; ++i) {
-              const double a = static_cast<double>(quad_pi()) * i / 8;
-              const glm::dvec3 normal = sweep::turn_normal({std::cos(a), std::sin(a), 0}, from, to);
-              reached.error = worse(reached.error, askew({normal, glm::cross(to, normal), to}));
+              const double a = static_cast<double>(quad_pi()) * (i + 0.5) / 8;
+              const sweep::Curve3 curve =
+                  sweep::polyline<3>({{0, 0, 0}, {0, 0, 1}, glm::dvec3(0, 0, 1) + to}, false);
+              const auto frames = sweep::rotation_minimizing_frames(curve, sweep::place_stations(curve, 8),
+                                                                    {std::cos(a), std::sin(a), 0});
+              for (const sweep::StationFrames& at : frames)
+                reached.error = worse(reached.error, askew(at.out.frame));
             }
             return reached;
           }};

@@ -84,6 +84,7 @@ StabilityCase leaks(const std::string& name, const std::string& input, double ha
             const scene::MeshView view = shape.view();
             const auto seads = render::make_accelerator(view, render::Accelerator::kSeads);
             const auto sweep = render::make_accelerator(view, render::Accelerator::kSweep);
+            const auto linear = render::make_accelerator(view, render::Accelerator::kLinear);
             std::mt19937 random(3);
             std::uniform_real_distribution<double> real(-0.3, 0.3);
             Reached reached;
@@ -100,7 +101,7 @@ StabilityCase leaks(const std::string& name, const std::string& input, double ha
               const glm::dvec3 inside = middle + scale * glm::dvec3(x, y, real(random));
               const glm::dvec3 direction = target - inside;
               const render::Ray ray{inside - distance * direction, direction};
-              for (const auto* accelerator : {seads.get(), sweep.get()}) {
+              for (const auto* accelerator : {seads.get(), sweep.get(), linear.get()}) {
                 render::Hit hit;
                 accelerator->find_nearest(ray, 0, hit);
                 if (!hit.is_hit()) reached.error += 1;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "stability/stability_case.hpp"
+#include "sweepkit/error.hpp"
 #include "sweepkit/sweep/primitives.hpp"
 
 namespace sweepkit::report {
@@ -221,6 +222,29 @@ StabilityCase poles(double beside, const std::string& power) {
                       });
 }
 
+// What is no number is refused where it is given, before anything is made of it.
+template <class Use>
+StabilityCase refusal(const std::string& name, const std::string& input, Use use) {
+  return {.name = "sweeps_refused_" + name,
+          .stage = kStage,
+          .input = input + " of NaN, infinity and -infinity",
+          .hardness = 1e308,
+          .hardness_is = "size over 1, at least",
+          .promise = "bad input is refused before any work",
+          .unit = "of three values that are taken",
+          .run = [use] {
+            Reached reached;
+            for (const double bad : {static_cast<double>(NAN), HUGE_VAL, -HUGE_VAL}) {
+              try {
+                use(bad);
+                reached.error += 1;
+              } catch (const InputError&) {
+              }
+            }
+            return reached;
+          }};
+}
+
 }  // namespace
 
 std::vector<StabilityCase> sweep_cases() {
@@ -245,6 +269,15 @@ std::vector<StabilityCase> sweep_cases() {
           closed_loop(1e-15, "1e_15"),
           tiny_torus(1e-3, "1e3"),
           tiny_torus(1e-6, "1e6"),
+          refusal("law", "a law", [](double bad) { sweep::Law{bad}; }),
+          refusal("bezier_law", "a control point of a law",
+                  [](double bad) {
+                    sweep::Law::bezier({{0, 1}, {1, bad}});
+                  }),
+          refusal("law_points", "a point of a law",
+                  [](double bad) {
+                    sweep::Law::through({{0, 1}, {1, bad}});
+                  }),
           cusp_trajectory(),
           poles(1e-3, "1e_3"),
           poles(1e-9, "1e_9")};

@@ -196,6 +196,29 @@ StabilityCase no_area() {
                   });
 }
 
+// Products of such differences are infinite: no area, so B2.
+StabilityCase overflow(double scale, const std::string& power) {
+  return {.name = "maps_overflow_" + power,
+          .stage = "triangle maps",
+          .input = "triangles of " + power + " m, whose area is infinite in double",
+          .hardness = scale,
+          .hardness_is = "size over 1 m",
+          .promise = kPromise,
+          .unit = "hits of 2000 that are not at B2",
+          .run =
+              [scale] {
+                std::mt19937_64 random(7);
+                Reached reached;
+                for (int n = 0; n < kPairs; ++n) {
+                  const Pair pair = inside(
+                      random, {scale * in_cube(random), scale * in_cube(random), scale * in_cube(random)});
+                  if (map_by_area_ratio(pair.triangle, kTexture, pair.hit) != kTexture.b) reached.error += 1;
+                }
+                return reached;
+              },
+          .raises = "infinity less infinity is how the map learns that there is no area"};
+}
+
 }  // namespace
 
 std::vector<StabilityCase> triangle_map_cases() {
@@ -214,7 +237,8 @@ std::vector<StabilityCase> triangle_map_cases() {
           grazing(1e-9, "1e_9"),
           scaled(1e-20, "1e_20"),
           scaled(1e20, "1e20"),
-          no_area()};
+          no_area(),
+          overflow(1e200, "1e200")};
 }
 
 }  // namespace sweepkit::report
