@@ -18,10 +18,17 @@ TEST(StabilityExperiment, HasARowForEveryCaseAndTheColumnsThatItsPlotNames) {
   ASSERT_EQ(table.rows.size(), stability_cases().size());
   std::set<std::string> columns;
   for (const Column& column : table.columns) columns.insert(column.name);
-  ASSERT_EQ(experiment.plots.size(), 1U);
-  const Plot& plot = experiment.plots.front();
-  for (const std::string& name : {plot.x, plot.y, plot.by, plot.label})
-    EXPECT_TRUE(columns.contains(name)) << name;
+  ASSERT_EQ(experiment.plots.size(), 2U);
+  for (const Plot& plot : experiment.plots) {
+    for (const std::string& name : {plot.x, plot.y, plot.by, plot.only, plot.label})
+      EXPECT_TRUE(columns.contains(name)) << name;
+    std::set<std::string> stages;
+    for (const std::vector<Cell>& row : table.rows) {
+      if (std::get<std::string>(row[table.column(plot.only)]) == plot.only_is)
+        stages.insert(std::get<std::string>(row[table.column(plot.by)]));
+    }
+    EXPECT_EQ(stages.size(), 6U) << plot.name;
+  }
   for (const std::vector<Cell>& row : table.rows) {
     ASSERT_EQ(row.size(), table.columns.size());
     EXPECT_GT(std::get<double>(row[table.column("over_bound_drawn")]), 0);

@@ -73,9 +73,10 @@ StabilityCase morph_to(double size, const std::string& power) {
 }
 
 StabilityCase twist(double turns, const std::string& power) {
-  return normals_case("twist_" + power, "a bar twisted by " + power + " turns", turns, "turns", [turns] {
-    return sweep::sweep(sweep::rectangle_contour(0.2, 0.1), upright(), {.twist_deg = 360 * turns});
-  });
+  return normals_case(
+      "twist_" + power, "a bar twisted by " + power + " turns and 77 degrees", turns, "turns", [turns] {
+        return sweep::sweep(sweep::rectangle_contour(0.2, 0.1), upright(), {.twist_deg = 360 * turns + 77});
+      });
 }
 
 StabilityCase step_law(double width, const std::string& power) {

@@ -134,11 +134,11 @@ double by_tables(const texmap::Image& image, int order) {
   return worst / kLevel;
 }
 
-// The largest entry of a table of this order over white, by 2^64, which its words wrap round at.
-double wraps(int width, int height, int order) {
+// The largest entry of a table of this order over white.
+double largest_entry(int width, int height, int order) {
   double entry = 65535;
   for (int k = 0; k < order; ++k) entry *= (width + k) / (k + 1.0) * ((height + k) / (k + 1.0));
-  return std::max(entry * 0x1p-64, 0x1p-64);
+  return entry;
 }
 
 StabilityCase whole_boxes(int width, int height, int order) {
@@ -147,8 +147,8 @@ StabilityCase whole_boxes(int width, int height, int order) {
           .stage = kStage,
           .input = std::to_string(width) + " x " + std::to_string(height) + " texels of 16 bits, order " +
                    std::to_string(order) + ", boxes with integer corners",
-          .hardness = wraps(width, height, order),
-          .hardness_is = "largest entry over 2^64, where words wrap round",
+          .hardness = largest_entry(width, height, order),
+          .hardness_is = "largest entry of a table over white; words wrap round at 1.8e19",
           .promise = kExact,
           .unit = "8-bit levels",
           .run = [=] {
@@ -165,8 +165,8 @@ StabilityCase constant(int order, bool is_float) {
           .stage = kStage,
           .input = std::string("constant ") + (is_float ? "float" : "16-bit") +
                    " texture of 512 x 512, order " + std::to_string(order) + ", any box",
-          .hardness = wraps(512, 512, order),
-          .hardness_is = "largest entry over 2^64, where words wrap round",
+          .hardness = largest_entry(512, 512, order),
+          .hardness_is = "largest entry of a table over white; words wrap round at 1.8e19",
           .promise = kConstant,
           .unit = "8-bit levels",
           .run = [=] {
