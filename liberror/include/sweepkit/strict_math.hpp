@@ -9,6 +9,6 @@
 // A test that shows just that compiles a few sources so on purpose.
 #ifndef SWEEPKIT_FAST_MATH_ON_PURPOSE
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "sweepkit needs strict floating point: build it without -ffast-math, -Ofast and -ffinite-math-only (add -fno-fast-math after your flags)"
+#error "sweepkit needs strict floating point: build it without -ffast-math (remedy: -fno-fast-math behind it)"
 #endif
 #endif

@@ -83,7 +83,6 @@ StabilityCase alternating(double size, const std::string& name) {
               in_float = worse(in_float, length({narrow[0] - exact[0], narrow[1] - exact[1]}));
             }
             reached.in_float = in_float;
-            reached.in_double = reached.error;
             return reached;
           }};
 }
@@ -179,7 +178,6 @@ StabilityCase helix_turns(double turns, const std::string& name) {
                         static_cast<double>(hypotq(std::cos(narrow) - cosq(a), std::sin(narrow) - sinq(a))));
             }
             reached.in_float = in_float;
-            reached.in_double = reached.error;
             return reached;
           }};
 }

@@ -123,7 +123,8 @@ StabilityCase helix_drift(int turns, const std::string& power) {
             // Step by step: stations of a whole curve would be 1.6 million.
             const double climb = 0.05;
             sweep::Frame frame{};
-            Reached reached{.bound = 1e-12};
+            // A step's 8 roundings, which go either way: they grow as the root of the steps.
+            Reached reached{.bound = 8 * kRounding * std::sqrt(static_cast<double>(turns * kStepsATurn))};
             const auto at = [&](int i) {
               const double a = 2 * static_cast<double>(quad_pi()) * (i % kStepsATurn) / kStepsATurn;
               const double all = 2 * static_cast<double>(quad_pi()) * i / kStepsATurn;

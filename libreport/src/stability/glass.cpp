@@ -92,7 +92,6 @@ StabilityCase index_beside_one(double beside, const std::string& power) {
               }
             }
             reached.in_float = in_float;
-            reached.in_double = reached.error;
             return reached;
           }};
 }

@@ -14,7 +14,8 @@ namespace sweepkit::report {
 struct Reached {
   double error = 0;
   double bound = 0;
-  /// The same computed in float32 and in double by the textbook, where that shows something.
+  /// The same computed in float32, and in double by a textbook's way that is not ours, where that shows
+  /// something.
   std::optional<double> in_float;
   std::optional<double> in_double;
 };
