@@ -6,6 +6,7 @@
 #include "frames_experiment.hpp"
 #include "pictures_experiment.hpp"
 #include "scale_experiment.hpp"
+#include "stability_experiment.hpp"
 #include "sweepkit/report/report.hpp"
 #include "tessellation_experiment.hpp"
 #include "triangle_maps_experiment.hpp"
@@ -22,7 +23,8 @@ const std::vector<Runnable>& runnables() {
       {"filters", "Texture filters", measure_filters},
       {"pictures", "Whole pictures", measure_pictures, true},
       {"accelerators", "Accelerators", measure_accelerators},
-      {"scale", "Time and memory against size", measure_scale}};
+      {"scale", "Time and memory against size", measure_scale},
+      {"stability", "Stiff and extreme cases", measure_stability}};
   return all;
 }
 
