@@ -9,6 +9,7 @@
 
 #include "filters_experiment.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/report/report.hpp"
 #include "tessellation_experiment.hpp"
 #include "triangle_maps_experiment.hpp"
 
@@ -55,6 +56,30 @@ void expect_whole(const Experiment& experiment) {
     EXPECT_GT(std::get<double>(row[table.column("seconds_least")]), 0);
     EXPECT_GE(std::get<double>(row[table.column("runs")]), 5);
   }
+}
+
+Experiment quick_run_of(const std::string& name) {
+  for (const Runnable& one : runnables()) {
+    if (one.name == name) return one.run({.is_quick = true, .samples = SWEEPKIT_SAMPLES});
+  }
+  ADD_FAILURE() << "no such experiment: " << name;
+  return {};
+}
+
+TEST(QuickRun, OfCurvesLengthsAndFramesHasFullRows) {
+  for (const char* name : {"curves", "lengths", "frames"}) {
+    const Experiment experiment = quick_run_of(name);
+    EXPECT_EQ(experiment.name, name);
+    EXPECT_FALSE(experiment.what.empty()) << name;
+    EXPECT_FALSE(experiment.how.empty()) << name;
+    EXPECT_FALSE(experiment.plots.empty()) << name;
+    expect_whole(experiment);
+  }
+}
+
+TEST(Runnables, HaveNamesOfTheirOwn) {
+  std::set<std::string> names;
+  for (const Runnable& one : runnables()) EXPECT_TRUE(names.insert(one.name).second) << one.name;
 }
 
 TEST(QuickRun, OfTessellationHasEveryShapeByCountsAndByTolerance) {
