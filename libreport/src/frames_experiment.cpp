@@ -80,7 +80,7 @@ Experiment measure_frames(const Effort& effort) {
   const int most = effort.is_quick ? 4096 : 65536;
   double done = 0;
   for (const TestCurve& curve : curves) {
-    for (int steps = 16; steps <= most; steps *= 2) {
+    for (int steps = 16; steps <= most; steps *= effort.is_quick ? 4 : 2) {
       effort.tell((done + std::log2(steps / 16.0) / std::log2(most / 8.0)) /
                   static_cast<double>(curves.size()));
       measure_curve(curve, steps, effort, table);

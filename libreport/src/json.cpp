@@ -67,7 +67,8 @@ Json plot_of(const Experiment& experiment, const Plot& plot, bool has_curves) {
                {"title", plot.title},
                {"x", axis(experiment.table, plot.x, plot.is_x_log)},
                {"y", axis(experiment.table, plot.y, plot.is_y_log)},
-               {"by", plot.by}};
+               {"by", plot.by},
+               {"lines", plot.has_lines}};
   if (!plot.only.empty()) json["only"] = {{"column", plot.only}, {"is", plot.only_is}};
   if (!plot.label.empty())
     json["label"] = experiment.table.columns[experiment.table.column(plot.label)].title;

@@ -106,7 +106,8 @@ Experiment measure_stability(const Effort& effort) {
                                 .by = "stage",
                                 .only = "part",
                                 .only_is = part,
-                                .label = "case"});
+                                .label = "case",
+                                .has_lines = false});
   }
   return experiment;
 }

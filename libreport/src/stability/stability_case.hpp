@@ -59,9 +59,10 @@ std::vector<StabilityCase> environment_cases();
 std::vector<StabilityCase> material_cases();
 std::vector<StabilityCase> export_cases();
 
-/// The larger of the two; a NaN stays, whichever it is.
+/// The larger of the two; a NaN stays, whichever it is. (>= would raise the flag of invalid operations for
+/// it.)
 inline double worse(double a, double b) {
-  return a >= b || std::isnan(a) ? a : b;
+  return std::isnan(a) || std::isgreaterequal(a, b) ? a : b;
 }
 
 /// Half a step of double at 1: the largest relative error of one operation.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Plots by ECharts, on the page and, without a browser, as SVG files: ECMAScript 5.1 alone, for Duktape runs it too.
-// A plot is what libreport/src/json.cpp writes: {title, x, y, curves: [{name, points: [[x, y, label, row]]}], front}.
+// A plot is what libreport/src/json.cpp writes: {title, x, y, lines, curves: [{name, points: [[x, y, label, row]]}], front}.
 var sweepkitPlots = (function() {
   // Told apart by people who see few colours, on white and on black (P. Tol, "Colour schemes", 2021), and by shape.
   var COLORS = ['#4477aa', '#ee6677', '#228833', '#ccaa22', '#66aacc', '#aa3377', '#888888', '#dd8844'];
@@ -58,7 +58,7 @@ var sweepkitPlots = (function() {
 
   function axisOption(axis, limits, look, isX) {
     return {
-      type: axis.log ? 'log' : 'value', name: axis.title, nameLocation: 'middle', nameGap: isX ? 30 : 58,
+      type: axis.log ? 'log' : 'value', scale: isX, name: axis.title, nameLocation: 'middle', nameGap: isX ? 30 : 58,
       min: limits.min, max: limits.max, interval: limits.interval, nameTextStyle: {color: look.ink, fontSize: 12},
       axisLabel: {color: look.quiet, hideOverlap: true, formatter: function(value) { return numberText(value, axis); }},
       axisLine: {show: true, onZero: false, lineStyle: {color: look.quiet}},
@@ -75,7 +75,7 @@ var sweepkitPlots = (function() {
     var round = Math.floor(i / COLORS.length), color = COLORS[(i + 3 * round) % COLORS.length];
     return {
       name: curve.name, type: 'line', color: color, symbol: SHAPES[i % SHAPES.length], symbolSize: 8, showSymbol: true,
-      lineStyle: {width: 2, color: color, type: round ? 'dashed' : 'solid'}, emphasis: {focus: 'series'},
+      lineStyle: {width: plot.lines ? 2 : 0, color: color, type: round ? 'dashed' : 'solid'}, emphasis: {focus: 'series'},
       data: curve.points.map(function(point) {
         var hasFailed = point[0] === null || point[1] === null;
         return {
@@ -118,7 +118,7 @@ var sweepkitPlots = (function() {
       textStyle: {fontFamily: 'system-ui, sans-serif', color: look.ink},
       title: still ? {text: plot.title, left: 'center', top: 8, textStyle: {fontSize: 15, color: look.ink}} : undefined,
       legend: {top: still ? 34 : 0, textStyle: {color: look.ink}, type: still ? 'plain' : 'scroll', itemGap: still ? 22 : 10,
-        data: series.map(function(one) { return one.name; })},
+        data: series.map(function(one) { return one.step ? {name: one.name, icon: 'rect'} : one.name; })},
       grid: {left: 84, right: 24, top: (still ? 84 : 44) + below, bottom: 54},
       xAxis: axisOption(plot.x, limits.x, look, true), yAxis: axisOption(plot.y, limits.y, look, false),
       tooltip: still ? undefined : {

@@ -39,6 +39,7 @@ struct Plot {
   std::string label;    ///< the column that tells a point's setting, or ""
   bool is_x_log = true;
   bool is_y_log = true;
+  bool has_lines = true;  ///< through the points of a curve, which have an order then
   /// Draws the front of the points that none is both cheaper and more exact than.
   bool has_front = false;
 };
