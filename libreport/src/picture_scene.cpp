@@ -16,13 +16,14 @@ PictureScene read_scene(const std::filesystem::path& file, int side) {
   return make_scene(std::move(document));
 }
 
-scene::Plan plan_for(const scene::Document& document, const render::Options& options) {
+scene::Plan plan_for(const scene::Document& document, const render::Options& options, bool leaves_out) {
   return scene::plan(document, {.product = scene::Request::Product::kPicture,
                                 .filter = options.filter,
                                 .is_supersampled = options.supersampling > 1,
                                 .is_refined = options.adaptive.has_value(),
                                 .has_smooth_shadows = options.shadows == render::Shadows::kSmooth,
-                                .has_differentials = options.footprint != render::Footprint::kNeighbours});
+                                .has_differentials = options.footprint != render::Footprint::kNeighbours,
+                                .leaves_out = leaves_out});
 }
 
 render::Picture draw(const PictureScene& scene, const render::Options& options) {

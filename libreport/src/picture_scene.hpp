@@ -25,8 +25,8 @@ PictureScene make_scene(scene::Document document);
 /// A square picture of so many pixels a side in place of the scene file's. Throws InputError as it does.
 PictureScene read_scene(const std::filesystem::path& file, int side);
 
-/// What these options need.
-scene::Plan plan_for(const scene::Document& document, const render::Options& options);
+/// What these options need, or, where nothing is to be left out, more that leaves the picture as it is.
+scene::Plan plan_for(const scene::Document& document, const render::Options& options, bool leaves_out = true);
 
 /// With accelerators built and everything shaded.
 render::Picture draw(const PictureScene& scene, const render::Options& options);

@@ -4,6 +4,7 @@
 #include "curves_experiment.hpp"
 #include "filters_experiment.hpp"
 #include "frames_experiment.hpp"
+#include "leaving_out_experiment.hpp"
 #include "pictures_experiment.hpp"
 #include "scale_experiment.hpp"
 #include "stability_experiment.hpp"
@@ -24,6 +25,7 @@ const std::vector<Runnable>& runnables() {
       {"pictures", "Whole pictures", measure_pictures, true},
       {"accelerators", "Accelerators", measure_accelerators},
       {"scale", "Time and memory against size", measure_scale},
+      {"leaving_out", "What a scene does without", measure_leaving_out, true},
       {"stability", "Stiff and extreme cases", measure_stability}};
   return all;
 }

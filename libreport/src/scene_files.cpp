@@ -15,6 +15,16 @@ std::vector<SceneFile> scene_files(const Effort& effort, const std::vector<std::
   return files;
 }
 
+std::vector<std::string> sample_names(const Effort& effort) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(effort.samples / "scenes", ignored)) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 std::string file_name(const std::string& text) {
   std::string name = text;
   const auto is_plain = [](char c) {

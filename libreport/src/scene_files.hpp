@@ -18,6 +18,9 @@ struct SceneFile {
 /// The samples of these names, or the one scene that is to be measured in their place.
 std::vector<SceneFile> scene_files(const Effort& effort, const std::vector<std::string>& samples);
 
+/// Of all samples, in the order of the alphabet.
+std::vector<std::string> sample_names(const Effort& effort);
+
 /// As a file may be called: what is neither a letter nor a digit becomes '_'.
 std::string file_name(const std::string& text);
 
