@@ -40,7 +40,7 @@ double number(std::uint64_t count) {
 }
 
 std::vector<SceneFile> scenes_for(const Effort& effort) {
-  std::vector<std::string> names = {"vase_and_cup", "trefoil_knot", "seashell", "spring", "bottle", "relief"};
+  std::vector<std::string> names = {"vase_and_cup", "seashell", "picture_frame", "bottle"};
   if (!effort.is_quick) names = sample_names(effort);
   return scene_files(effort, names);
 }
