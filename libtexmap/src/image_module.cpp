@@ -38,6 +38,10 @@ const ImageModule& image_module() {
   return loaded;
 }
 
+void load_image_module() {
+  image_module();
+}
+
 bool is_image_module_loaded() {
   return is_loaded;
 }

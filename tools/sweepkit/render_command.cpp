@@ -20,6 +20,7 @@
 #include "sweepkit/scene/model.hpp"
 #include "sweepkit/scene/output_file.hpp"
 #include "sweepkit/scene/turntable.hpp"
+#include "sweepkit/texmap/file_image.hpp"
 
 namespace sweepkit::tools {
 namespace {
@@ -256,8 +257,10 @@ void draw(Render& command) {
     command.options.crop = part;
     request.encoding.window = {part.x, part.y, document.width, document.height};
   }
-  if (command.most_seconds > 0)
+  if (command.most_seconds > 0 && !output.file.empty()) {
     command.options.goal->seconds_left = seconds_left(command.most_seconds, start, part.width, part.height);
+    texmap::load_image_module();
+  }
   const scene::Plan plan = make_plan(command, document);
   if (output.file.empty()) {
     print({{}, {plan_table(plan, {})}}, output);
@@ -302,7 +305,8 @@ void draw(Render& command) {
             std::to_string(render::kMostRefiningRays) + " rays a pixel, the most there are",
         output);
   }
-  if (command.most_seconds > 0 && drawn > 0 && seconds_since(start) > 1.2 * command.most_seconds) {
+  if (command.most_seconds > 0 && drawn > 0 && total.statistics.refining_rays == 0 &&
+      seconds_since(start) > 1.2 * command.most_seconds) {
     say(name + ": --time " + error_text(command.most_seconds) +
             " s is less than the picture takes by one ray a pixel",
         output);
