@@ -11,6 +11,9 @@ namespace {
 
 // Pixels of a thread's turn: its tiles and rows are made ready anew for each.
 constexpr std::size_t kGrain = 32;
+// Light is no linear function of the normal, so the light of a mean normal is not the mean light: normal maps
+// are averaged over less than the ray's share of the pixel, and its many rays do the rest.
+constexpr double kSideOfNormals = 0.25;
 
 }  // namespace
 
@@ -21,7 +24,7 @@ void PixelSampler::Thread::add(ColorSums& sums, std::size_t pixel, std::span<con
                           sampler_.region_.y + static_cast<int>(pixel / width));
   row_.places.clear();
   for (const glm::dvec2& place : places) row_.places.push_back(corner + place);
-  sampler_.builder_.build(row_, sampler_.eye_rays_, rays, &filter_, side);
+  sampler_.builder_.build(row_, sampler_.eye_rays_, rays, &filter_, kSideOfNormals * side);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::dvec4 color =
         sampler_.shader_.sample(row_, sampler_.eye_rays_, i, side, filter_, shading).color;
