@@ -18,6 +18,7 @@
 #include "gltf_camera.hpp"
 #include "gltf_container.hpp"
 #include "gltf_extras.hpp"
+#include "gltf_levels.hpp"
 #include "gltf_lights.hpp"
 #include "gltf_material_entry.hpp"
 #include "gltf_mirror.hpp"
@@ -58,6 +59,9 @@ class Writer {
     model_.asset.generator = "sweepkit " SWEEPKIT_VERSION;
     if (options.grow_seconds > 0 && (options.is_quantized || options.is_packed)) {
       throw InputError("what grows has morph targets, which are neither quantized nor packed; leave one out");
+    }
+    if (options.grow_seconds > 0 && !scene.coarser.empty()) {
+      throw InputError("what grows has one mesh, and levels of detail have several; leave one out");
     }
     if (!is_utf8(options.copyright)) throw InputError("the copyright is no UTF-8 text");
     model_.asset.copyright = options.copyright;
@@ -177,7 +181,8 @@ class Writer {
     return made;
   }
 
-  GltfBody body_of(const Object& object) {
+  // As the object's own mesh has it, for `mesh` in the file: that one, or a coarser one.
+  GltfBody body_of(const Object& object, std::size_t in_file) {
     if (!plan_.needs_part(Part::kThicknesses)) return {};
     const auto [found, is_new] = thicknesses_.try_emplace(object.mesh);
     if (is_new) {
@@ -187,14 +192,17 @@ class Writer {
       result_.ledger[Part::kThicknesses].bytes += mean_chord_bytes(mesh);
     }
     const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(object.world_from_object))));
-    const double step = grid_of(object.mesh).step;  // a viewer scales the thickness as it does the mesh
+    const double step = grid_of(in_file).step;  // a viewer scales the thickness as it does the mesh
     return {found->second ? std::optional(*found->second / step) : std::nullopt, scale * step};
   }
 
-  // One for each set of terms and texture in use.
-  int add_material(const Object& object, std::vector<texmap::UvTransform>& transforms) {
-    const Material material = object.material ? scene_.materials[*object.material] : Material{};
-    const GltfBody body = material.transmit > 0 ? body_of(object) : GltfBody{};
+  Material material_of(const Object& object) const {
+    return object.material ? scene_.materials[*object.material] : Material{};
+  }
+
+  // `transforms` become those of the mesh's (u,v), where the colours are baked over it.
+  GltfMaps maps_of(const Object& object, std::vector<texmap::UvTransform>& transforms) {
+    const Material material = material_of(object);
     GltfMaps maps;
     if (material.texture && plan_.textures[*material.texture]) {
       const texmap::Texture& source = scene_.textures[*material.texture];
@@ -211,6 +219,13 @@ class Writer {
       maps.normals = {textures_.image_texture(*material.normal_map), material.normal_strength,
                       transforms.empty() ? 0 : 1};
     }
+    return maps;
+  }
+
+  // One for each set of terms and textures in use.
+  int add_material(const Object& object, const GltfMaps& maps, std::size_t mesh) {
+    const Material material = material_of(object);
+    const GltfBody body = material.transmit > 0 ? body_of(object, mesh) : GltfBody{};
     const GltfMaterial terms = to_gltf(material, options_.look, body);
     const auto same = std::find_if(materials_.begin(), materials_.end(), [&](const MaterialInUse& one) {
       return one.terms == terms && one.maps == maps;
@@ -226,27 +241,57 @@ class Writer {
 
   std::string name_of(const Object& object) const { return options_.is_minimal ? "" : object.name; }
 
-  bool needs_texcoords(int material) const {
-    return !options_.is_minimal || materials_[static_cast<std::size_t>(material)].maps != GltfMaps();
+  // A small file has what nothing reads left out.
+  bool needs_texcoords(const GltfMaps& maps) const {
+    return !(options_.is_minimal || options_.is_packed) || maps != GltfMaps();
   }
 
   // Its instances. One is a node with the mesh; several are such nodes without names under the object's.
   void add_object(std::span<const Object> instances) {
-    const MeshView& own = scene_.meshes[instances.front().mesh];
-    if (!own.tangents.empty() && all_mirror(instances)) mirrored_.try_emplace(instances.front().mesh, own);
-    const int mesh = add_mesh(instances.front());
+    const Object& first = instances.front();
+    if (scene_.meshes[first.mesh].triangles.empty())
+      throw InputError("the object " + in_quotes(first.name) + " has no triangles");
+    std::vector<CoarserMesh> levels = {{first.mesh, 1}};
+    if (first.mesh < scene_.coarser.size()) {
+      const std::vector<CoarserMesh>& coarser = scene_.coarser[first.mesh];
+      levels.insert(levels.end(), coarser.begin(), coarser.end());
+    }
+    const bool is_mirrored = all_mirror(instances);
+    std::vector<texmap::UvTransform> transforms;
+    const GltfMaps maps = maps_of(first, transforms);
+    std::vector<int> meshes;
+    for (const CoarserMesh& level : levels) {
+      const MeshView& own = scene_.meshes[level.mesh];
+      if (!own.tangents.empty() && is_mirrored) mirrored_.try_emplace(level.mesh, own);
+      meshes.push_back(add_mesh(first, level.mesh, maps, transforms));
+    }
     if (instances.size() == 1) {
-      add_node(instances.front(), mesh);
-      model_.nodes.back().name = name_of(instances.front());
+      const std::size_t node = add_nodes(first, levels, meshes);
+      model_.nodes[node].name = name_of(first);
+      for (std::size_t i = 1; i < levels.size() && !options_.is_minimal; ++i) {
+        model_.nodes[node + i].name = first.name + " level " + std::to_string(i);
+      }
       return;
     }
     const std::size_t group = model_.nodes.size();
     model_.nodes.emplace_back();
     model_.nodes.back().name = name_of(instances.front());
     for (const Object& instance : instances) {
-      model_.nodes[group].children.push_back(static_cast<int>(model_.nodes.size()));
-      add_node(instance, mesh);
+      const std::size_t node = add_nodes(instance, levels, meshes);
+      model_.nodes[group].children.push_back(static_cast<int>(node));
     }
+  }
+
+  // The node that stands in the scene, which those of coarser meshes follow; no other node points at them.
+  std::size_t add_nodes(const Object& object, std::span<const CoarserMesh> levels,
+                        std::span<const int> meshes) {
+    const std::size_t node = model_.nodes.size();
+    for (std::size_t i = 0; i < levels.size(); ++i) add_node(object, levels[i].mesh, meshes[i]);
+    if (levels.size() > 1) {
+      point_at_levels(model_, node, levels);
+      extensions_.insert(kLevelsExtension);
+    }
+    return node;
   }
 
   // As it stands in the file.
@@ -267,19 +312,19 @@ class Writer {
     return found->second;
   }
 
-  void add_node(const Object& object, int mesh) {
-    const PositionGrid& grid = grid_of(object.mesh);
+  void add_node(const Object& object, std::size_t mesh, int entry) {
+    const PositionGrid& grid = grid_of(mesh);
     glm::dmat4 node_from_mesh(1.0);
-    node_from_mesh[3] = glm::dvec4(scene_.meshes[object.mesh].origin, 1);
-    if (mirrored_.contains(object.mesh)) node_from_mesh[0] = -node_from_mesh[0];
+    node_from_mesh[3] = glm::dvec4(scene_.meshes[mesh].origin, 1);
+    if (mirrored_.contains(mesh)) node_from_mesh[0] = -node_from_mesh[0];
     glm::dmat4 mesh_from_grid = glm::dmat4(glm::dmat3(grid.step));
     mesh_from_grid[3] = glm::dvec4(grid.offset, 1);
     node_from_mesh = node_from_mesh * mesh_from_grid;
     glm::dmat4 placement = object.world_from_object * node_from_mesh;
     placement[3] -= glm::dvec4(pivot_, 0);
     tinygltf::Node node;
-    node.mesh = mesh;
-    if (const Growth* growth = growth_of(object.mesh))
+    node.mesh = entry;
+    if (const Growth* growth = growth_of(mesh))
       growing_.push_back({static_cast<int>(model_.nodes.size()), growth});
     const std::optional<NodeTransform> transform = decompose(placement);
     if (!transform) {
@@ -291,15 +336,13 @@ class Writer {
     model_.nodes.push_back(std::move(node));
   }
 
-  int add_mesh(const Object& object) {
-    const MeshView mesh = view_of(object.mesh);
-    if (mesh.triangles.empty())
-      throw InputError("the object " + in_quotes(object.name) + " has no triangles");
-    std::vector<texmap::UvTransform> transforms;
-    const int material = add_material(object, transforms);
-    GltfVertices vertices{.lasts = !mirrored_.contains(object.mesh)};
+  int add_mesh(const Object& object, std::size_t index, const GltfMaps& maps,
+               std::span<const texmap::UvTransform> transforms) {
+    const MeshView mesh = view_of(index);
+    const int material = add_material(object, maps, index);
+    GltfVertices vertices{.lasts = !mirrored_.contains(index)};
     vertices.tangents.assign(mesh.tangents.begin(), mesh.tangents.end());
-    if (needs_texcoords(material)) {
+    if (needs_texcoords(maps)) {
       vertices.texcoords = gltf_texcoords(mesh, transforms);
       if (!mesh.tangents.empty() && !transforms.empty()) vertices.second_texcoords = gltf_texcoords(mesh, {});
       if (mesh.tangents.empty() && options_.has_tangents) {
@@ -308,14 +351,14 @@ class Writer {
       }
     }
     const std::optional<PositionGrid> grid =
-        options_.is_quantized ? std::optional(grid_of(object.mesh)) : std::nullopt;
+        options_.is_quantized ? std::optional(grid_of(index)) : std::nullopt;
     auto [primitive, without_area] = add_primitive(buffer_, mesh, vertices, grid, options_.is_packed);
     if (primitive.indices < 0) {
       throw InputError("the object " + in_quotes(object.name) +
                        " is too thin to be quantized: no triangle keeps its area");
     }
     primitive.material = material;
-    if (const Growth* growth = growth_of(object.mesh)) add_targets(primitive, buffer_, *growth);
+    if (const Growth* growth = growth_of(index)) add_targets(primitive, buffer_, *growth);
     result_.triangles_without_area += without_area;
     tinygltf::Mesh entry;
     entry.name = name_of(object);

@@ -11,12 +11,10 @@
 #include "gltf_arrays.hpp"
 #include "gltf_meshopt.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/scene/gltf_size.hpp"
 
 namespace sweepkit::scene {
 namespace {
-
-// A .glb over 4 GiB wraps its length round without a word, and 2 GiB is what readers can be trusted with.
-constexpr std::size_t kLargestBuffer = std::size_t{1} << 31;
 
 constexpr int kVertices = TINYGLTF_TARGET_ARRAY_BUFFER;
 constexpr int kIndices = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
@@ -54,8 +52,8 @@ int GltfBuffer::push_view(std::span<const std::byte> values, const Array& array,
                           const std::optional<GltfPacking>& packing) {
   static constexpr std::array<std::byte, 3> kPadding = {};
   const std::size_t start = aligned(size);
-  if (start >= kLargestBuffer || values.size() >= kLargestBuffer - start ||
-      unpacked_bytes >= kLargestBuffer) {
+  if (start >= kMostGltfBytes || values.size() >= kMostGltfBytes - start ||
+      (packing && packing->count * packing->item_bytes >= kMostGltfBytes - unpacked_bytes)) {
     throw InputError(
         "the file would be over 2 GiB; ask for fewer cells, smaller images or one object at a time");
   }
@@ -82,7 +80,7 @@ int GltfBuffer::add_array(const Array& array, Packed packed) {
     packing = std::move(packed.packing);
   }
   // A span that is over the limit may not be there to be read.
-  if (values.size() < kLargestBuffer) {
+  if (values.size() < kMostGltfBytes) {
     const std::uint64_t hash = XXH3_64bits(values.data(), values.size());
     for (auto [one, end] = accessors_.equal_range(hash); one != end; ++one) {
       const tinygltf::Accessor& known = model_.accessors[static_cast<std::size_t>(one->second)];

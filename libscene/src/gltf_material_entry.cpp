@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "gltf_material_entry.hpp"
 
+#include "gltf_number.hpp"
+
 namespace sweepkit::scene {
 namespace {
 
 tinygltf::Value number(float value) {
-  return tinygltf::Value(static_cast<double>(value));
+  return tinygltf::Value(in_few_digits(value));
 }
 
 tinygltf::Value color(const glm::vec3& value) {
@@ -22,9 +24,10 @@ tinygltf::Material material_entry(const std::string& name, const GltfMaterial& t
   entry.doubleSided = terms.is_double_sided;
   if (terms.alpha < 1) entry.alphaMode = "BLEND";
   tinygltf::PbrMetallicRoughness& pbr = entry.pbrMetallicRoughness;
-  pbr.baseColorFactor = {terms.base_color.r, terms.base_color.g, terms.base_color.b, terms.alpha};
-  pbr.metallicFactor = terms.metallic;
-  pbr.roughnessFactor = terms.roughness;
+  pbr.baseColorFactor = {in_few_digits(terms.base_color.r), in_few_digits(terms.base_color.g),
+                         in_few_digits(terms.base_color.b), in_few_digits(terms.alpha)};
+  pbr.metallicFactor = in_few_digits(terms.metallic);
+  pbr.roughnessFactor = in_few_digits(terms.roughness);
   if (maps.base_color) pbr.baseColorTexture.index = *maps.base_color;
   if (maps.normals) {
     entry.normalTexture.index = maps.normals->texture;

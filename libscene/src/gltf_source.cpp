@@ -10,6 +10,7 @@
 #include "json_text.hpp"
 #include "object_reader.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/scene/levels.hpp"
 #include "sweepkit/scene/texel_density.hpp"
 
 namespace sweepkit::scene {
@@ -44,6 +45,7 @@ void read_options(const Node& node, GltfOptions& options) {
     options.max_texture = size->integer(0, kMostTexels, " texels");
   const Range seconds{.low = 0, .high = kMostSeconds};
   if (const auto turn = reader.find("turntable")) options.turntable_seconds = turn->number(seconds);
+  if (const auto levels = reader.find("lod")) options.levels = levels->integer(0, kMostLevels, " levels");
   if (const auto growth = reader.find("grow")) options.grow_seconds = growth->number(seconds);
   if (const auto text = reader.find("copyright")) options.copyright = text->text();
   if (const auto is = reader.find("quantize")) options.is_quantized = is->boolean();
@@ -74,6 +76,7 @@ std::string gltf_extras(const GltfOptions& options) {
     add("max_texture", {static_cast<double>(options.max_texture), {}});
   }
   if (options.turntable_seconds > 0) add("turntable", {options.turntable_seconds, {}});
+  if (options.levels > 0) add("lod", {static_cast<double>(options.levels), {}});
   if (options.grow_seconds > 0) add("grow", {options.grow_seconds, {}});
   if (!options.copyright.empty()) add("copyright", value(options.copyright));
   if (options.is_quantized) add("quantize", {true, {}});

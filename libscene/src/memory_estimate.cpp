@@ -5,15 +5,14 @@
 #include <algorithm>
 #include <system_error>
 
+#include "expected_counts.hpp"
 #include "sweepkit/scene/scene.hpp"
 #include "sweepkit/sweep/mesh.hpp"
 
 namespace sweepkit::scene {
 namespace {
 
-struct Counts {
-  std::uint64_t vertices = 0;
-  std::uint64_t triangles = 0;
+struct Counts : ExpectedCounts {
   std::uint64_t bytes = 0;  // where they are known otherwise
 };
 
@@ -24,29 +23,13 @@ constexpr std::uint64_t kBytesATriangle = sizeof(sweep::Triangle);
 // Position, normal, (u,v), OpenMesh's handle and its byte of item data.
 constexpr std::uint64_t kBytesAVertex = 2 * sizeof(glm::vec3) + sizeof(glm::vec2) + 4 + 1;
 
-std::uint64_t cells_along(std::span<const sweep::Curve2> contour, int wanted) {
-  std::uint64_t corners = 0;
-  for (const sweep::Curve2& outline : contour) corners += outline.is_closed() ? 3 : 1;
-  return std::max<std::uint64_t>(corners, static_cast<std::uint64_t>(wanted));
-}
-
-Counts grid(std::uint64_t columns, std::uint64_t rows) {
-  return {(columns + 1) * (rows + 1), 2 * columns * rows};
-}
-
 Counts counts_of(const Piece& piece) {
   if (const auto* mesh = std::get_if<MeshShape>(&piece.shape)) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(mesh->file, error);
-    return {.bytes = error ? 0 : kMeshFileFactor * size};
+    return {{}, error ? 0 : kMeshFileFactor * size};
   }
-  if (piece.tessellation.tolerance) return {};
-  const auto along = static_cast<std::uint64_t>(piece.tessellation.trajectory);
-  if (const auto* swept = std::get_if<SweepShape>(&piece.shape))
-    return grid(cells_along(swept->contour, piece.tessellation.contour), along);
-  if (const auto* revolved = std::get_if<RevolveShape>(&piece.shape))
-    return grid(cells_along(revolved->contour, piece.tessellation.contour), along);
-  return grid(static_cast<std::uint64_t>(piece.tessellation.contour), along);
+  return {expected_counts(piece), 0};
 }
 
 }  // namespace

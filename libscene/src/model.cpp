@@ -8,12 +8,11 @@
 #include <memory>
 #include <numbers>
 
-#include "make_mesh.hpp"
+#include "object_mesh.hpp"
 #include "scene_bounds.hpp"
 #include "sweepkit/scene/image_store.hpp"
 #include "sweepkit/scene/turntable.hpp"
 #include "sweepkit/strict_math.hpp"
-#include "sweepkit/sweep/tangents.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {
@@ -23,46 +22,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-// Runs `make` and gives what it finds wrong with the geometry the piece's place in the file.
-template <class Make>
-auto at_place(const Place& place, Make&& make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    if (!error.place().pointer.empty()) throw;
-    throw InputError(place, error.problem());
-  }
-}
-
-// Made where it will stay: OpenMesh has no move, so every other way would copy it.
-std::unique_ptr<const sweep::Mesh> make_object(const ObjectEntry& object, const MeshNeeds& needs,
-                                               Cost& layout_cost, std::vector<SweptPart>& swept) {
-  const auto note = [&](const Piece& piece, std::size_t first, std::size_t end) {
-    const bool is_revolve = std::holds_alternative<RevolveShape>(piece.shape);
-    if (!is_revolve && !std::holds_alternative<SweepShape>(piece.shape)) return;
-    swept.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first),
-                     is_revolve ? SweptPart::Along::kU : SweptPart::Along::kV});
-  };
-  const Piece& first = object.pieces.front();
-  if (object.pieces.size() == 1 && to_matrix(first.placement) == glm::dmat4(1.0)) {
-    return at_place(first.place, [&] {
-      auto mesh = std::unique_ptr<const sweep::Mesh>(new sweep::Mesh(make_mesh(first, needs, layout_cost)));
-      note(first, 0, mesh->areas.size());
-      return mesh;
-    });
-  }
-  auto whole = std::make_unique<sweep::Mesh>();
-  for (const Piece& piece : object.pieces) {
-    at_place(piece.place, [&] {
-      const std::size_t areas = whole->areas.size();
-      sweep::append(*whole, make_mesh(piece, needs, layout_cost), to_matrix(piece.placement));
-      note(piece, areas, whole->areas.size());
-      return true;
-    });
-  }
-  return whole;
 }
 
 StoredImage read_image(const ImageEntry& source, ImageStore* images) {
@@ -128,17 +87,6 @@ std::size_t count_objects(const Document& document) {
   return count;
 }
 
-// For the mesh that was made last.
-void add_tangents(Model& model, const Document& document, const ObjectEntry& entry) {
-  if (!entry.material || !document.materials[*entry.material].normal_map) return;
-  MeshView& mesh = model.scene.meshes.back();
-  model.tangents.push_back(
-      sweep::find_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles));
-  mesh.tangents = model.tangents.back();  // where it stays when the list grows
-  model.ledger[Part::kNormalMaps].bytes += mesh.tangents.size_bytes();
-  model.ledger[Part::kNormalMaps].calls += 1;
-}
-
 }  // namespace
 
 std::optional<double> deviation_of(const Model& model, const Object& object) {
@@ -149,7 +97,6 @@ std::optional<double> deviation_of(const Model& model, const Object& object) {
 
 Model build(const Document& document, const Plan& plan, ImageStore* images) {
   Model model;
-  const MeshNeeds needs{plan.needs_part(Part::kHalfEdges), plan.needs_part(Part::kLayouts)};
   Scene& scene = model.scene;
   scene.width = document.width;
   scene.height = document.height;
@@ -163,24 +110,8 @@ Model build(const Document& document, const Plan& plan, ImageStore* images) {
   scene.objects.reserve(count_objects(document));
   Clock::time_point start = Clock::now();
   for (const ObjectEntry& entry : document.objects) {
-    std::vector<SweptPart> swept;
-    model.meshes.push_back(make_object(entry, needs, model.ledger[Part::kLayouts], swept));
-    const sweep::Mesh& mesh = *model.meshes.back();
     add_objects(scene, entry);
-    scene.meshes.push_back({mesh.positions(),
-                            mesh.normals(),
-                            mesh.texcoords(),
-                            mesh.triangles,
-                            mesh.patches,
-                            mesh.areas,
-                            mesh.origin,
-                            {},
-                            std::move(swept)});
-    if (plan.needs_part(Part::kNormalMaps)) add_tangents(model, document, entry);
-    if (needs.half_edges) {
-      model.ledger[Part::kHalfEdges].bytes += mesh.half_edge_bytes();
-      model.ledger[Part::kHalfEdges].calls += 1;
-    }
+    add_mesh_of(entry, document, plan, model);
   }
   model.mesh_seconds = seconds_since(start);
   start = Clock::now();

@@ -81,9 +81,11 @@ class Walk {
   }
 
   template <class Visit>
-  static void each_vertex(const GridPatch& patch, bool by_rows, std::uint32_t line, const Visit& visit) {
+  static void each_vertex(const GridPatch& patch, bool by_rows, std::uint32_t line, bool is_back,
+                          const Visit& visit) {
     const std::uint32_t count = (by_rows ? patch.columns : patch.rows) + 1;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t step = 0; step < count; ++step) {
+      const std::uint32_t i = is_back ? count - 1 - step : step;
       const std::uint32_t column = by_rows ? i : line;
       const std::uint32_t row = by_rows ? line : i;
       if (patch.has_first_pole && row == 0 && column == 0) continue;
@@ -93,28 +95,32 @@ class Walk {
   }
 
   template <class Visit>
-  void each_triangle(const GridPatch& patch, bool by_rows, std::uint32_t line, const Visit& visit) const {
+  void each_triangle(const GridPatch& patch, bool by_rows, std::uint32_t line, bool is_back,
+                     const Visit& visit) const {
     const std::uint32_t count = by_rows ? patch.columns : patch.rows;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t step = 0; step < count; ++step) {
+      const std::uint32_t i = is_back ? count - 1 - step : step;
       const std::uint32_t column = by_rows ? i : line;
       const std::uint32_t row = by_rows ? line : i;
       const std::uint32_t at_poles = (patch.has_first_pole && row == 0 ? 1u : 0u) +
                                      (patch.has_last_pole && row + 1 == patch.rows ? 1u : 0u);
       const std::uint32_t in_cell = 2 - at_poles;
       const std::uint32_t first = patch.first_triangle_of_row(row) + in_cell * column;
-      for (std::uint32_t k = 0; k < in_cell; ++k) visit(mesh_.triangles[first + k]);
+      for (std::uint32_t k = 0; k < in_cell; ++k) {
+        visit(mesh_.triangles[first + (is_back ? in_cell - 1 - k : k)]);
+      }
     }
   }
 
   // Bytes that the codecs make of it, walked that way.
-  std::size_t cost(const GridPatch& patch, bool by_rows) const {
+  std::size_t cost(const GridPatch& patch, bool by_rows, bool to_and_fro) const {
     constexpr std::size_t kRestart = 3;  // a line's first triangle
     std::vector<ShortPosition> places;
     std::vector<ByteVector> normals;
     places.reserve(patch.vertex_count());
     normals.reserve(patch.vertex_count());
     for (std::uint32_t line = 0; line <= lines(patch, by_rows); ++line) {
-      each_vertex(patch, by_rows, line, [&](std::uint32_t vertex) {
+      each_vertex(patch, by_rows, line, to_and_fro && line % 2 == 0, [&](std::uint32_t vertex) {
         places.push_back(places_[vertex]);
         normals.push_back(normals_[vertex]);
       });
@@ -126,19 +132,24 @@ class Walk {
 
   // The codec's next new vertex falls a line behind in a patch; `catches_up`: not in this one, so that the
   // patch that follows has its vertices next too. The first line of cells then numbers both its lines as
-  // they are met.
+  // they are met. Such a patch is walked to and fro: a line of cells then starts at an edge that the codec
+  // still knows, and its vertices are numbered as it meets them. Where the next vertex is a line behind that
+  // would take it away from where it is.
   void walk_patch(const GridPatch& patch, bool catches_up) {
-    const bool by_rows = cost(patch, true) <= cost(patch, false);
+    const bool by_rows = cost(patch, true, catches_up) <= cost(patch, false, catches_up);
     if (catches_up) {
-      each_triangle(patch, by_rows, 0, [&](const Triangle& triangle) {
+      each_triangle(patch, by_rows, 0, false, [&](const Triangle& triangle) {
         for (const std::uint32_t vertex : triangle) take(vertex);
       });
     }
     for (std::uint32_t line = 0; line <= lines(patch, by_rows); ++line) {
-      each_vertex(patch, by_rows, line, [&](std::uint32_t vertex) { take(vertex); });
+      // The line of cells before this line of vertices meets it as new.
+      each_vertex(patch, by_rows, line, catches_up && line % 2 == 0,
+                  [&](std::uint32_t vertex) { take(vertex); });
     }
     for (std::uint32_t line = 0; line < lines(patch, by_rows); ++line) {
-      each_triangle(patch, by_rows, line, [&](const Triangle& triangle) { add(triangle); });
+      each_triangle(patch, by_rows, line, catches_up && line % 2 == 1,
+                    [&](const Triangle& triangle) { add(triangle); });
     }
   }
 

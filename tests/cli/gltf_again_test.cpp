@@ -29,6 +29,7 @@ TEST(GltfAgain, HasTheSameBytes) {
       {"--bake-size", "64", "--max-texture", "16", "--compatible", "--image-format", "jpg", "--copyright",
        "© me"},
       {"--bake-size", "16", "--quantize", "--position-bits", "12", "--meshopt"},
+      {"--bake-size", "16", "--lod", "3"},
       {"--bake-size", "16", "--set", "/objects/0/scale=2"}};
   for (const std::vector<std::string>& variant : variants) {
     std::vector<std::string> arguments = {"generate", "s.json", "-o", "a.glb"};

@@ -19,6 +19,8 @@ namespace sweepkit::scene {
 namespace {
 
 const std::string kMaterial = R"("materials": {"m": {}})";
+const std::string kTextured =
+    R"("textures": {"t": {"procedural": "checker"}}, "materials": {"m": {"texture": "t"}})";
 const std::string kCup =
     R"({"name": "cup", "material": "m", "tessellation": {"contour": 30, "trajectory": 41},
         "revolve": {"contour": {"polyline": [[0, 0], [0.1, 0], [0.1, 0.2], [0.09, 0.2], [0.09, 0.01], [0, 0.01]]}}})";
@@ -112,7 +114,7 @@ std::vector<std::array<Corner, 3>> triangles_of(const Parsed& parsed, std::size_
 }
 
 TEST(GltfMeshopt, WithoutQuantizingUnpacksToTheSameTrianglesBitForBit) {
-  const std::string text = scene_text(kMaterial, kShapes);
+  const std::string text = scene_text(kTextured, kShapes);
   const Parsed plain = glb(text);
   const Parsed packed = glb(text, {.is_packed = true});
   for (std::size_t mesh = 0; mesh < 2; ++mesh) {
@@ -125,7 +127,7 @@ TEST(GltfMeshopt, WithoutQuantizingUnpacksToTheSameTrianglesBitForBit) {
 // octahedron x and y are off by 1/254 and z by as much as both; the sphere is up to sqrt(3) as far out; the
 // bytes that come out are rounded once more: (2 sqrt(3) + 1) / 254 < 0.0176 a part.
 TEST(GltfMeshopt, WithQuantizingPositionsAreExactAndTheRestIsWithinItsBound) {
-  const std::string text = scene_text(kMaterial, kShapes);
+  const std::string text = scene_text(kTextured, kShapes);
   const Parsed plain = glb(text, {.is_quantized = true, .position_bits = 12});
   const Parsed packed = glb(text, {.is_quantized = true, .position_bits = 12, .is_packed = true});
   const Parsed exact = glb(text);
@@ -169,6 +171,18 @@ TEST(GltfMeshopt, WithQuantizingPositionsAreExactAndTheRestIsWithinItsBound) {
   }
 }
 
+TEST(GltfMeshopt, LeavesOutTexcoordsAndTangentsThatNoTextureReads) {
+  const std::string text = scene_text(kMaterial, kCup);
+  for (const bool is_packed : {false, true}) {
+    const Parsed parsed = glb(text, {.has_tangents = true, .is_packed = is_packed});
+    EXPECT_EQ(parsed.primitive()["attributes"].contains("TEXCOORD_0"), !is_packed);
+    EXPECT_EQ(parsed.primitive()["attributes"].contains("TANGENT"), !is_packed);
+  }
+  EXPECT_TRUE(glb(scene_text(kTextured, kCup), {.bake_size = 8, .is_packed = true})
+                  .primitive()["attributes"]
+                  .contains("TEXCOORD_0"));
+}
+
 TEST(GltfMeshopt, RequiresItsExtensionWhereSomethingIsPackedAndSaysWhatItUnpacksTo) {
   const Parsed parsed = glb(scene_text(kMaterial, kShapes), {.is_quantized = true, .is_packed = true});
   EXPECT_EQ(parsed.root["extensionsRequired"], (json{"KHR_mesh_quantization", "EXT_meshopt_compression"}));
@@ -204,6 +218,22 @@ TEST(StripOrder, TakesOneByteForATriangleOfAGrid) {
   const std::size_t bytes = pack_triangles(order.triangles, order.vertices.size()).size();
   EXPECT_LE(bytes, mesh.triangles.size() + 4 * 90 + 17);
   EXPECT_LT(bytes, pack_triangles(mesh.triangles, mesh.positions.size()).size() + 1);
+}
+
+// Fourteen narrow patches between a star's corners, walked by rows of eight cells: two bytes for the start of a
+// line, and for each patch a first line that numbers two lines of vertices at once, at most four bytes a cell.
+TEST(StripOrder, TakesTwoBytesMoreForALineOfANarrowPatch) {
+  const std::string star =
+      R"({"name": "s", "tessellation": {"contour": 112, "trajectory": 96}, "sweep": {"caps": "none",
+          "contour": {"star": {"points": 7, "radius": 0.22, "inner_radius": 0.13}},
+          "trajectory": {"line": [[0, 0, 0], [0, 7, 0]]}, "twist_deg": 120}})";
+  const Document document = parse_document(scene_text("", star), "s.json");
+  const Model model = build(document, plan(document, {.product = Request::Product::kMeshFile}));
+  const MeshView& mesh = model.scene.meshes[0];
+  ASSERT_EQ(mesh.patches.size(), 14u);
+  const MeshOrder order = strip_order(mesh);
+  EXPECT_LE(pack_triangles(order.triangles, order.vertices.size()).size(),
+            mesh.triangles.size() + 2 * 14 * 96 + 4 * 14 * 8 + 17);
 }
 
 TEST(StripOrder, HasEveryTriangleOnceWithPolesCapsAndSeveralPatches) {

@@ -102,7 +102,7 @@ TEST(Tolerance, IsRefusedWhereItTakesMoreTrianglesThanThereMayBe) {
   };
   EXPECT_EQ(revolved(1000000), "nothing");
   EXPECT_EQ(revolved(1000).rfind("tolerance of 0.0001 m takes ", 0), 0u) << revolved(1000);
-  EXPECT_NE(revolved(1000).find(" triangles, and there is memory for 1000; ask for a larger one"),
+  EXPECT_NE(revolved(1000).find(" triangles, and there is room for 1000; ask for a larger one"),
             std::string::npos);
   const auto swept = [&](std::uint64_t most) {
     return problem([&] {
@@ -110,7 +110,7 @@ TEST(Tolerance, IsRefusedWhereItTakesMoreTrianglesThanThereMayBe) {
     });
   };
   EXPECT_EQ(swept(10000000), "nothing");
-  EXPECT_NE(swept(100).find(" triangles, and there is memory for 100; ask for a larger one"),
+  EXPECT_NE(swept(100).find(" triangles, and there is room for 100; ask for a larger one"),
             std::string::npos);
 }
 

@@ -161,7 +161,8 @@ function loadInBlender(files) {
 
 const files = generateFiles();
 if (words.includes('blender')) {
-  loadInBlender(files.filter(({variant}) => !variant.isMoving));
+  // Its importer takes every node, whether the scene has it or not: coarser meshes stand in the finest.
+  loadInBlender(files.filter(({variant}) => !variant.isMoving && !variant.hasLevels));
 } else {
   await loadInThree(files);
   loadInAssimp(files);

@@ -19,6 +19,7 @@ export const variants = [
   {name: 'baked', options: ['--bake-size', '33']},
   {name: 'dense', options: ['--texel-density', '20']},
   {name: 'bare', options: ['--no-extras', '--copyright', '2026 Käthe "K" Töpfer']},
+  {name: 'levels', options: ['--lod', '3'], hasLevels: true},
   // Blender shows a moment of what moves, and what assimp sums up is no moment's.
   {name: 'turning', options: ['--turntable', '8'], isMoving: true},
   // compressed.mjs loads these: their vertices are others, and not every program knows the extensions.

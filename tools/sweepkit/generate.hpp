@@ -49,6 +49,7 @@ struct MadeFile {
   std::uint64_t triangles = 0;               ///< of a glTF's meshes, of a mesh file's instances
   std::uint64_t triangles_without_area = 0;  ///< left out of a quantized glTF
   std::optional<double> deviation;           ///< the largest that is known of an object in the world, metres
+  std::uint64_t coarser_triangles = 0;       ///< of all coarser levels of detail
   std::size_t targets = 0;                   ///< the most that a mesh grows by
   double grow_error = 0;                     ///< metres
   std::uint64_t bytes = 0;                   ///< with what stands beside it

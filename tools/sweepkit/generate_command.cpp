@@ -15,7 +15,9 @@
 #include "plan_table.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/scene/gltf.hpp"
+#include "sweepkit/scene/gltf_size.hpp"
 #include "sweepkit/scene/gltf_source.hpp"
+#include "sweepkit/scene/levels.hpp"
 #include "sweepkit/scene/mesh_file.hpp"
 #include "sweepkit/scene/mesh_output.hpp"
 #include "sweepkit/scene/model.hpp"
@@ -78,6 +80,7 @@ void generate_one(const Generate& command) {
   }
   // The file is put together in memory beside the meshes, and again as it is written.
   const scene::MemoryEstimate needed = scene::estimate_memory(document);
+  if (!scene::is_mesh_name(output.file)) scene::check_gltf_size(document, command.gltf);
   const std::uint64_t factor = memory_factor(output.file);
   require_memory(command.input.name(), needed, factor * needed.bytes);
   limit_triangles(document, factor * scene::kLeastBytesATriangle);
@@ -94,6 +97,9 @@ void generate_one(const Generate& command) {
           (made.triangles_without_area > 0 ? " (" + std::to_string(made.triangles_without_area) +
                                                  " without area when quantized are left out)"
                                            : "") +
+          (made.coarser_triangles > 0
+               ? " (and " + std::to_string(made.coarser_triangles) + " of coarser levels)"
+               : "") +
           (made.targets > 0
                ? " (growing: within " + length_text(made.grow_error) + " by " + std::to_string(made.targets) +
                      (made.targets == 1 ? " morph target)" : " morph targets)")
@@ -104,7 +110,7 @@ void generate_one(const Generate& command) {
 }
 
 // Options of glTF alone, and what other formats lack.
-constexpr std::array<std::array<const char*, 2>, 14> kGltfOptions = {{
+constexpr std::array<std::array<const char*, 2>, 15> kGltfOptions = {{
     {"--no-extras", ""},
     {"--copyright", "copyright"},
     {"--tangents", "tangents"},
@@ -117,6 +123,7 @@ constexpr std::array<std::array<const char*, 2>, 14> kGltfOptions = {{
     {"--position-bits", "quantized vertices"},
     {"--meshopt", "packed vertices"},
     {"--minimal", ""},
+    {"--lod", "levels of detail"},
     {"--turntable", "animation"},
     {"--grow", "animation"},
 }};
@@ -136,6 +143,7 @@ void take_options_of(const scene::GltfOptions& own, Generate& command) {
   take({"--images"}, gltf.images_in, own.images_in);
   take({"--image-format"}, gltf.image_format, own.image_format);
   take({"--max-texture"}, gltf.max_texture, own.max_texture);
+  take({"--lod"}, gltf.levels, own.levels);
   take({"--turntable"}, gltf.turntable_seconds, own.turntable_seconds);
   take({"--grow"}, gltf.grow_seconds, own.grow_seconds);
   take({"--copyright"}, gltf.copyright, own.copyright);
@@ -229,7 +237,8 @@ scene::Request model_request(const std::string& file, const scene::GltfOptions& 
 
 MadeFile make_file(const scene::Document& document, const scene::Plan& plan, const std::string& file,
                    const scene::GltfOptions& options, bool looks_for_findings) {
-  const scene::Model model = scene::build(document, plan, options.images);
+  scene::Model model = scene::build(document, plan, options.images);
+  if (options.levels > 0) scene::add_levels(model, document, plan, options.levels);
   MadeFile made{
       .objects = document.objects.size(), .instances = model.scene.objects.size(), .ledger = model.ledger};
   const auto keep = [&](const std::vector<scene::NamedBytes>& parts, const scene::Ledger& ledger) {
@@ -251,7 +260,10 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
     }
     made.targets = gltf.targets;
     made.grow_error = gltf.grow_error;
-    for (const scene::MeshView& mesh : model.scene.meshes) made.triangles += mesh.triangles.size();
+    for (std::size_t i = 0; i < model.scene.meshes.size(); ++i) {
+      (i < document.objects.size() ? made.triangles : made.coarser_triangles) +=
+          model.scene.meshes[i].triangles.size();
+    }
     made.triangles -= gltf.triangles_without_area;
     made.triangles_without_area = gltf.triangles_without_area;
   }
@@ -325,12 +337,17 @@ void add_generate(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(8, 16));
   sub.add_flag("--meshopt", command->gltf.is_packed,
-               "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know); with "
-               "--quantize smallest");
+               "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know), (u,v) only "
+               "where there is a texture; with --quantize smallest");
   sub.add_flag(
       "--minimal", command->gltf.is_minimal,
       "Only what shows the objects: no names, no camera, no extras (the file cannot be made again from "
       "itself), and (u,v) only where there is a texture");
+  sub.add_option("--lod", command->gltf.levels,
+                 "Levels of detail (MSFT_lod): at most N coarser meshes of what is swept or revolved, made from "
+                 "the same curves, each for half the height in the picture of the one before")
+      ->type_name("N")
+      ->check(CLI::Range(1, scene::kMostLevels));
   sub.add_option("--turntable", command->gltf.turntable_seconds,
                  "An animation: everything turns once about its middle, counter-clockwise from above")
       ->type_name("SECONDS")

@@ -17,7 +17,9 @@
 #include "plan_table.hpp"
 #include "progress.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/scene/gltf_size.hpp"
 #include "sweepkit/scene/image_store.hpp"
+#include "sweepkit/scene/mesh_file.hpp"
 #include "sweepkit/scene/output_file.hpp"
 #include "sweepkit/scene/values_table.hpp"
 
@@ -146,6 +148,7 @@ class Batch {
       if (!command_.object.empty()) keep_object(document, command_.object);
       outcome.plan = scene::plan(document, model_request(jobs_[row].file, command_.gltf));
       if (jobs_[row].file.empty()) return outcome;
+      if (!scene::is_mesh_name(jobs_[row].file)) scene::check_gltf_size(document, command_.gltf);
       scene::GltfOptions options = command_.gltf;
       options.images = &images_;
       if (keeps_scene(command_, jobs_[row].file)) options.scene = scene_.text(settings);

@@ -131,7 +131,7 @@ void limit_triangles(scene::Document& document, std::uint64_t more_a_triangle) {
     for (scene::Piece& piece : object.pieces) {
       if (!piece.tessellation.tolerance) continue;
       if (!most) most = memory_left().bytes / (scene::kLeastBytesATriangle + more_a_triangle);
-      piece.tessellation.most_triangles = *most;
+      piece.tessellation.most_triangles = std::min(piece.tessellation.most_triangles, *most);
     }
   }
 }

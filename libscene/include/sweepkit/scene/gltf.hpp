@@ -42,6 +42,7 @@ struct GltfOptions {
   std::optional<texmap::ImageFormat> image_format;
   int max_texture = 0;           ///< larger images are made smaller; texels on a side, 0: as they are
   double turntable_seconds = 0;  ///< that a turn of everything about +Y takes, as an animation; 0: none
+  int levels = 0;                ///< of detail that the scene was given by add_levels(), for the extras
   double grow_seconds = 0;       ///< in which what is swept grows from start to end, as one; 0: none
   std::string copyright;         ///< UTF-8; empty: none
   /// Positions in 16 bits, normals and tangents in 8, (u,v) between 0 and 1 in 16: KHR_mesh_quantization,
@@ -52,9 +53,9 @@ struct GltfOptions {
   /// triangles' shortest edges on average.
   std::optional<int> position_bits;
   /// EXT_meshopt_compression, required too: vertices and triangles in another order and packed, of
-  /// unquantized ones the same bits.
+  /// unquantized ones the same bits; (u,v) and tangents only where something is textured.
   bool is_packed = false;
-  /// No name, no camera, no extras, and (u,v) and tangents only where something is textured.
+  /// No name, no camera, no extras; (u,v) and tangents as in a packed file.
   bool is_minimal = false;
   /// The scene's JSON (SceneFile::text()), kept in the file's extras with these options, where
   /// read_gltf_source() finds them. Empty: nothing is kept.
@@ -92,11 +93,12 @@ struct GltfPieces {
 /// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
 /// has several instances the node has a child for each, and they share the mesh. .glb holds everything; .gltf
 /// has its buffer and images beside it, named for `file`. Positions are relative to each mesh's origin, which
-/// is in its node in double. Arrays, images and materials that are equal are written once, and a PNG or JPEG
+/// is in its node in double. Coarser meshes have nodes of their own, which the finest's node points at by
+/// MSFT_lod; viewers that do not know it show the finest. Arrays, images and materials that are equal are written once, and a PNG or JPEG
 /// that needs no change is copied byte for byte. The same scene gives the same bytes. Throws InputError for
 /// an unknown object, one without triangles or with none left when quantized, one that an instance shears, a
-/// copyright that is no UTF-8, growing where nothing is swept or with vertices that are quantized or packed,
-/// or a file over 2 GiB.
+/// copyright that is no UTF-8, growing where nothing is swept, with vertices that are quantized or packed, or
+/// with levels of detail, or a file over 2 GiB.
 GltfPieces make_gltf_pieces(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                             const GltfOptions& options);
 

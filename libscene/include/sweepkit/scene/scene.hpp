@@ -57,6 +57,13 @@ struct Object {
   std::uint32_t instance = 0;
 };
 
+/// A coarser mesh of the same curves as another one, in the same space.
+struct CoarserMesh {
+  std::size_t mesh = 0;
+  /// It is to be shown where the object has at most this share of the picture's height; see add_levels().
+  double height = 1;
+};
+
 /// Where an image texture was read from.
 struct ImageSource {
   std::filesystem::path file;  ///< empty: nowhere
@@ -66,6 +73,8 @@ struct ImageSource {
 /// Everything a picture or a file is made from, as plain data.
 struct Scene {
   std::vector<MeshView> meshes;
+  /// By mesh, the finest first; fewer than meshes, or none, where add_levels() was not asked.
+  std::vector<std::vector<CoarserMesh>> coarser;
   std::vector<texmap::Texture> textures;  ///< a texture that nothing uses has no image
   std::vector<std::string> texture_names;
   std::vector<ImageSource> texture_sources;  ///< by texture; none need be known
