@@ -29,6 +29,10 @@ using Clock = std::chrono::steady_clock;
 // For each cause. The relative error of the estimate is then about 1 / sqrt(192) times the spread of the
 // ratios of true and expected squared errors, which is about 2: a seventh, and half of that for the root.
 constexpr std::size_t kChecks = 192;
+// Where there is no time for so many; the estimate is then off by about half.
+constexpr std::size_t kFewestChecks = 16;
+// Of the time that is left after the first check: the most for the last one.
+constexpr double kShareOfLastCheck = 0.25;
 // Rays of a check's A and of its B. The error left of 16 rays is well below that of one; a refined pixel is
 // checked by as many rays as it has, for else their noise would hide its error, and by this many at least.
 constexpr int kCheckRays = 16;
@@ -83,7 +87,11 @@ std::uint64_t rays_to_add(const PixelError& error) {
 
 PictureRefiner::PictureRefiner(const PixelSampler& sampler, texmap::Image& image,
                                std::vector<PixelError> errors)
-    : sampler_(sampler), image_(image), errors_(std::move(errors)), contrasts_(contrasts_of(image)) {}
+    : sampler_(sampler),
+      image_(image),
+      errors_(std::move(errors)),
+      contrasts_(contrasts_of(image)),
+      most_checks_(kChecks) {}
 
 PictureRefiner::Cause PictureRefiner::cause_of(std::size_t pixel) const {
   if (errors_[pixel].rays > 1) return kRefined;
@@ -121,12 +129,12 @@ std::vector<PictureRefiner::Check> PictureRefiner::choose_checks() const {
   for (std::size_t c = 0; c < kCauses; ++c) next[c] = fractions_of(scatter(checks_ * kCauses + c)).x;
   for (std::size_t i = 0; i < errors_.size(); ++i) {
     const Cause cause = cause_of(i);
-    if (counts[cause] <= kChecks) {
+    if (counts[cause] <= most_checks_) {
       checks.push_back({i, 1, cause});
       continue;
     }
-    const double expected =
-        kChecks * (0.5 * measure_of(i, cause) / sums[cause] + 0.5 / static_cast<double>(counts[cause]));
+    const double expected = static_cast<double>(most_checks_) * (0.5 * measure_of(i, cause) / sums[cause] +
+                                                                 0.5 / static_cast<double>(counts[cause]));
     passed[cause] += expected;
     int marks = 0;
     for (; next[cause] < passed[cause]; next[cause] += 1) ++marks;
@@ -265,6 +273,22 @@ bool PictureRefiner::lower_to(double target, const std::function<std::uint64_t()
   }
 }
 
+double PictureRefiner::rays_of_check() const {
+  std::array<std::size_t, kCauses> counts{};
+  double refining = 0;
+  for (std::size_t i = 0; i < errors_.size(); ++i) {
+    const Cause cause = cause_of(i);
+    ++counts[cause];
+    if (cause == kRefined) refining += errors_[i].rays;
+  }
+  const auto pixels = [&](Cause cause) { return static_cast<double>(std::min(counts[cause], kChecks)); };
+  // Those with the largest errors are checked more often and have more rays: twice the mean or so.
+  const double of_refined =
+      std::max<double>(kFewestRefinedCheckRays,
+                       2 * refining / static_cast<double>(std::max<std::size_t>(1, counts[kRefined])));
+  return 2 * (kCheckRays * (pixels(kTexture) + pixels(kEdge)) + of_refined * static_cast<double>(kChecks));
+}
+
 void PictureRefiner::reach(const Goal& goal) {
   const auto pixels = static_cast<double>(errors_.size());
   if (goal.error > 0) {
@@ -277,14 +301,19 @@ void PictureRefiner::reach(const Goal& goal) {
   }
   if (goal.seconds_left) {
     const double first = goal.seconds_left();
+    const auto check_seconds = [&] { return rays_of_check() / rays_a_second_; };
     const auto budget = [&]() -> std::uint64_t {
       // The last check comes after it.
-      const double check_seconds = kChecks * (4 * kCheckRays + 2 * kMostRefiningRays) / rays_a_second_;
-      const double left = goal.seconds_left() - check_seconds;
+      const double left = goal.seconds_left() - std::min(check_seconds(), kShareOfLastCheck * first);
       if (!(left > 0.02 * first)) return 0;
       return static_cast<std::uint64_t>(0.5 * left * rays_a_second_);
     };
-    if (lower_to(0, budget)) check();
+    if (lower_to(0, budget)) {
+      const double affordable = static_cast<double>(kChecks) * goal.seconds_left() / check_seconds();
+      most_checks_ = static_cast<std::size_t>(
+          std::clamp(affordable, static_cast<double>(kFewestChecks), static_cast<double>(kChecks)));
+      check();
+    }
   }
 }
 

@@ -52,6 +52,7 @@ class PictureRefiner {
   double measure_of(std::size_t pixel, Cause cause) const;
   double expected_of(std::size_t pixel) const;
   std::vector<Check> choose_checks() const;
+  double rays_of_check() const;  // about, for one more
   double squared_error(PixelSampler::Thread& thread, const Check& check) const;
   void refine(PixelSampler::Thread& thread, std::size_t pixel);
   // The best candidates until the squared errors' sum is `target` or `most_rays` are cast, in rounds.
@@ -70,6 +71,7 @@ class PictureRefiner {
   PixelSampler::Counts check_counts_;
   std::uint64_t refining_rays_ = 0;
   std::uint64_t checks_ = 0;
+  std::size_t most_checks_;  // for each cause
   double rays_a_second_ = 0;
 };
 
