@@ -42,7 +42,7 @@ tinygltf::Material material_entry(const std::string& name, const GltfMaterial& t
   if (terms.specular || terms.specular_color) {
     tinygltf::Value::Object values;
     if (terms.specular) values["specularFactor"] = number(*terms.specular);
-    if (terms.specular_color) values["specularColorFactor"] = color(glm::vec3(*terms.specular_color));
+    if (terms.specular_color) values["specularColorFactor"] = color(*terms.specular_color);
     extend("KHR_materials_specular", std::move(values));
   }
   if (terms.ior) extend("KHR_materials_ior", {{"ior", number(*terms.ior)}});

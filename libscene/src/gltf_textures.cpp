@@ -119,11 +119,11 @@ int GltfTextures::baked_texture(const Object& object, const texmap::Procedural& 
   const MeshView& mesh = scene_.meshes[object.mesh];
   const glm::ivec2 size = bake_size_of(mesh, glm::dmat3(object.world_from_object), procedural, wanted);
   if (texmap::repeats_in_unit_square(procedural)) {
-    const StoredImage baked = images_.bake(procedural, size);
+    const StoredImage baked = images_.bake(procedural, size, options_.threads);
     if (baked.is_new) count_bake(*baked.image);
     return add_texture(add_encoded(baked.image, object.name), texmap::Wrap::kRepeat);
   }
-  texmap::BakedTexture baked = bake_over(mesh, procedural, {.width = size.x, .height = size.y});
+  texmap::BakedTexture baked = bake_over(mesh, procedural, {size.x, size.y, options_.threads});
   transforms = std::move(baked.transforms);
   count_bake(baked.image);
   const auto image = std::make_shared<const texmap::Image>(std::move(baked.image));

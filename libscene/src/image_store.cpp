@@ -143,9 +143,9 @@ StoredImage ImageStore::read(const std::filesystem::path& file, texmap::ColorSpa
   return shelf_->image(FileKey{file, color_space}, [&] { return texmap::read_image(file, color_space); });
 }
 
-StoredImage ImageStore::bake(const texmap::Procedural& procedural, glm::ivec2 size) {
+StoredImage ImageStore::bake(const texmap::Procedural& procedural, glm::ivec2 size, int threads) {
   return shelf_->image(BakeKey{procedural, size}, [&] {
-    return texmap::bake(procedural, {}, {size.x, size.y}).image;
+    return texmap::bake(procedural, {}, {size.x, size.y, threads}).image;
   });
 }
 

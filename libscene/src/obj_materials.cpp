@@ -105,11 +105,11 @@ ObjMaterials::Image ObjMaterials::write_image(const Object& object, std::size_t 
   const glm::ivec2 size = bake_size_of(mesh, glm::dmat3(object.world_from_object), procedural,
                                        {.size = options_.bake_size, .density = options_.texel_density});
   if (texmap::repeats_in_unit_square(procedural)) {
-    const StoredImage baked = images_.bake(procedural, size);
+    const StoredImage baked = images_.bake(procedural, size, options_.threads);
     if (baked.is_new) count(*baked.image);
     return {.file = add_file(*images_.encoded(baked.image))};
   }
-  texmap::BakedTexture baked = bake_over(mesh, procedural, {size.x, size.y});
+  texmap::BakedTexture baked = bake_over(mesh, procedural, {size.x, size.y, options_.threads});
   count(baked.image);
   return {.file = add_file(texmap::encode_image(baked.image, texmap::ImageFormat::kPng)),
           .is_clamped = true,

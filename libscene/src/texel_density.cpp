@@ -91,9 +91,13 @@ glm::ivec2 bake_size_of(const MeshView& mesh, const glm::dmat3& world_from_objec
   if (!(lengths.x > 0 && lengths.y > 0)) return glm::ivec2(wanted.size);
   if (!wanted.density) {
     const glm::dvec2 whole = lengths * glm::dvec2(cells);
-    constexpr double kLeastShare = 1.0 / 16;
-    const glm::dvec2 shares = glm::max(whole / std::max(whole.x, whole.y), glm::dvec2(kLeastShare));
-    return whole_texels(shares * static_cast<double>(wanted.size));
+    const double size = wanted.size;
+    constexpr double kLeastShare = 1.0 / 16;  // of the shorter side
+    constexpr double kMostShare = 4;          // of a strip's longer one
+    const double most = std::clamp<double>(wanted.most, size, kMostShare * size);
+    const double density =
+        std::max(size / std::max(whole.x, whole.y), kLeastShare * size / std::min(whole.x, whole.y));
+    return whole_texels(glm::min(density * whole, glm::dvec2(most)));
   }
   const glm::dvec2 cell(whole_texels(lengths.x * *wanted.density), whole_texels(lengths.y * *wanted.density));
   glm::dvec2 size = cell * glm::dvec2(cells);

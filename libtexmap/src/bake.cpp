@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// A texture as an image. Each texel is the mean of what it covers: of an image the box, of a procedural
-// parts of it under footprints. Areas that share (u,v) are laid out side by side, each in a cell of its own
-// with a gutter; one that comes round is drawn again a period to either side, as far as the gutter shows it.
-// What no triangle covers is filled from the nearest covered texel, breadth first, so that a filter finds no
-// seam.
+// A texture as an image. Each texel is the mean of what it covers: of an image the box, of a procedural as
+// texel_means.hpp has it. Areas that share (u,v) are laid out side by side, each in a cell of its own with a
+// gutter; one that comes round is drawn again a period to either side, as far as the gutter shows it. First
+// it is settled which triangle each texel is of, then colours are worked out in bands of rows, by many
+// threads. What no triangle covers is filled from the nearest covered texel, breadth first, so that a filter
+// finds no seam.
 
 #include "sweepkit/texmap/bake.hpp"
 
@@ -13,11 +14,14 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <memory>
 #include <string>
 
+#include "row_threads.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/texmap/texture_sampler.hpp"
 #include "sweepkit/texmap/tile_cache.hpp"
+#include "texel_means.hpp"
 
 namespace sweepkit::texmap {
 namespace {
@@ -26,26 +30,26 @@ std::uint16_t to_sample(float value) {
   return static_cast<std::uint16_t>(std::lround(65535.0f * std::clamp(value, 0.0f, 1.0f)));
 }
 
-// The mean over a texel whose sides are dx and dy: that of its 4 x 4 parts, each under a tent that stays
-// inside it, so that an edge between texels stays sharp. Fewer parts make noise worse than points do, one
-// makes edges soft.
-glm::vec3 texel_mean(const Procedural& procedural, const glm::dvec3& middle, const glm::dvec3& dx,
-                     const glm::dvec3& dy) {
-  constexpr int kParts = 4;
-  constexpr double kHalf = 0.5 / kParts;
-  glm::vec3 sum(0.0f);
-  for (int j = 0; j < kParts; ++j) {
-    for (int i = 0; i < kParts; ++i) {
-      const glm::dvec3 part = ((2 * i + 1) * kHalf - 0.5) * dx + ((2 * j + 1) * kHalf - 0.5) * dy;
-      sum += evaluate(procedural, {middle + part, kHalf * dx, kHalf * dy});
-    }
+// How texels lie in the space that a pattern is on: those of a triangle, or of the whole unit square.
+struct Patch {
+  glm::dvec2 corner{0.0};  // in texels, y down
+  glm::dvec3 at_corner{0.0};
+  glm::dvec3 dx{0.0};  // a texel on
+  glm::dvec3 dy{0.0};
+  std::size_t area = 0;
+  TexelMeans::Way way = TexelMeans::Way::kPoints;
+
+  PatternFootprint texel(int x, int y) const {
+    return {at_corner + (x + 0.5 - corner.x) * dx + (y + 0.5 - corner.y) * dy, dx, dy};
   }
-  return sum / static_cast<float>(kParts * kParts);
-}
+};
+
+constexpr std::uint32_t kNoPatch = 0xFFFFFFFF;
 
 struct Canvas {
   Image image;
-  std::vector<bool> is_covered;
+  std::vector<Patch> patches;
+  std::vector<std::uint32_t> patch_of;  // a texel each; empty: all are of the first, and go on outside
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
@@ -54,38 +58,112 @@ struct Canvas {
     auto& texels = std::get<std::vector<std::uint16_t>>(image.texels);
     for (std::size_t k = 0; k < 3; ++k)
       texels[3 * index(x, y) + k] = to_sample(color[static_cast<glm::length_t>(k)]);
-    is_covered[index(x, y)] = true;
+  }
+  const Patch* patch(int x, int y) const {
+    if (patch_of.empty()) return patches.data();
+    if (x < 0 || y < 0 || x >= image.width || y >= image.height) return nullptr;
+    const std::uint32_t patch = patch_of[index(x, y)];
+    return patch == kNoPatch ? nullptr : &patches[patch];
   }
 };
 
 Canvas make_canvas(int width, int height) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  return {{width, height, 3, std::vector<std::uint16_t>(3 * count)}, std::vector<bool>(count)};
+  return {{width, height, 3, std::vector<std::uint16_t>(3 * count)}, {}, {}};
 }
 
-Image bake_unit_square(const Texture& texture, int width, int height) {
-  Canvas canvas = make_canvas(width, height);
-  const glm::dvec2 size(width, height);
-  if (const auto* image = std::get_if<ImageTexture>(&texture)) {
-    TileCache tiles;
-    FilterThread thread(tiles);
-    const TextureSampler sampler(*image, Filter::kIntegral1, tiles, 0);
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        canvas.set(x, y,
-                   sampler.over_box(
-                       {glm::dvec2(x, height - y - 1) / size, glm::dvec2(x + 1, height - y) / size}, thread));
+// Colours rows of a canvas whose texels have their patches. One a thread.
+class RowPainter {
+ public:
+  RowPainter(Canvas& canvas, const TexelMeans& means)
+      : canvas_(canvas), means_(means), columns_(static_cast<std::size_t>(canvas.image.width) + 2) {
+    for (Row& row : rows_) row.resize(columns_);
+  }
+
+  void operator()(int first, int end) {
+    look_at(first - 1);
+    look_at(first);
+    for (int y = first; y < end; ++y) {
+      look_at(y + 1);
+      for (int x = 0; x < canvas_.image.width; ++x) {
+        const Patch* patch = canvas_.patch(x, y);
+        if (patch != nullptr) canvas_.set(x, y, glm::vec3(mean(*patch, x, y)));
       }
     }
+  }
+
+ private:
+  struct Middle {
+    const Patch* patch = nullptr;  // none, or one whose texels are told by points
+    glm::dvec3 color{0.0};
+  };
+  using Row = std::vector<Middle>;  // with a texel more on both sides
+
+  Row& row(int y) { return rows_[static_cast<std::size_t>(y + 3) % rows_.size()]; }
+
+  void look_at(int y) {
+    Row& middles = row(y);
+    for (std::size_t i = 0; i < columns_; ++i) {
+      const int x = static_cast<int>(i) - 1;
+      const Patch* patch = canvas_.patch(x, y);
+      const bool is_of_points = patch != nullptr && patch->way == TexelMeans::Way::kPoints;
+      middles[i].patch = is_of_points ? patch : nullptr;
+      if (is_of_points) middles[i].color = means_.point(patch->texel(x, y).at);
+    }
+  }
+
+  glm::dvec3 mean(const Patch& patch, int x, int y) {
+    if (patch.way == TexelMeans::Way::kPoints) {
+      std::array<const glm::dvec3*, 9> around;
+      std::size_t known = 0;
+      for (int j = -1; j <= 1; ++j) {
+        for (int i = 0; i <= 2; ++i) {
+          const Middle& middle = row(y + j)[static_cast<std::size_t>(x + i)];
+          if (middle.patch != nullptr && middle.patch->area == patch.area) around[known++] = &middle.color;
+        }
+      }
+      if (known == around.size()) {
+        if (const auto smooth = means_.smooth_mean(around)) return *smooth;
+      }
+    }
+    return means_.mean(patch.way, patch.texel(x, y), scratch_);
+  }
+
+  Canvas& canvas_;
+  const TexelMeans& means_;
+  std::size_t columns_;
+  std::array<Row, 3> rows_;
+  TexelScratch scratch_;
+};
+
+void paint(Canvas& canvas, const TexelMeans& means, int threads) {
+  for_each_band(canvas.image.height, threads, [&] { return RowPainter(canvas, means); });
+}
+
+Image bake_unit_square(const Texture& texture, const BakeOptions& options) {
+  Canvas canvas = make_canvas(options.width, options.height);
+  const glm::dvec2 size(options.width, options.height);
+  if (const auto* image = std::get_if<ImageTexture>(&texture)) {
+    TileCache tiles;
+    const TextureSampler sampler(*image, Filter::kIntegral1, tiles, 0);
+    for_each_band(options.height, options.threads, [&] {
+      return [&, thread = std::make_unique<FilterThread>(tiles)](int first, int end) {
+        for (int y = first; y < end; ++y) {
+          for (int x = 0; x < options.width; ++x) {
+            const UvBox box{glm::dvec2(x, options.height - y - 1) / size,
+                            glm::dvec2(x + 1, options.height - y) / size};
+            canvas.set(x, y, sampler.over_box(box, *thread));
+          }
+        }
+      };
+    });
     return std::move(canvas.image);
   }
-  const auto& procedural = std::get<Procedural>(texture);
-  const glm::dvec3 dx(1 / size.x, 0, 0);
-  const glm::dvec3 dy(0, -1 / size.y, 0);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x)
-      canvas.set(x, y, texel_mean(procedural, {(x + 0.5) / size.x, 1 - (y + 0.5) / size.y, 0}, dx, dy));
-  }
+  const TexelMeans means(std::get<Procedural>(texture));
+  Patch patch{.at_corner = {0, 1, 0}, .dx = {1 / size.x, 0, 0}, .dy = {0, -1 / size.y, 0}};
+  patch.way = means.way_of(patch.dx, patch.dy);
+  canvas.patches = {patch};
+  paint(canvas, means, options.threads);
   return std::move(canvas.image);
 }
 
@@ -100,58 +178,79 @@ struct UvRange {
   glm::dvec2 high{-std::numeric_limits<double>::infinity()};
 };
 
-// Writes every texel of `clip` whose middle lies in the triangle moved by `shift` in (u,v), or on its edge.
-void draw_triangle(Canvas& canvas, const TexelRect& clip, const Procedural& procedural,
-                   const BakeSurface& surface, const std::array<std::uint32_t, 3>& triangle,
-                   const UvTransform& transform, const glm::dvec2& shift) {
+struct Drawing {
+  Canvas& canvas;
+  const TexelMeans& means;
+  const BakeSurface& surface;
+  bool is_on_uv;
+};
+
+// An area's place in the image.
+struct AreaPlace {
+  std::size_t area;
+  TexelRect clip;
+  UvTransform transform;
+};
+
+// Gives the triangle moved by `shift` in (u,v) every texel of the area's whose middle lies in it, or on its
+// edge, and that has no triangle yet.
+void place_triangle(const Drawing& drawing, const AreaPlace& place,
+                    const std::array<std::uint32_t, 3>& triangle, const glm::dvec2& shift) {
+  Canvas& canvas = drawing.canvas;
+  const BakeSurface& surface = drawing.surface;
   const glm::dvec2 size(canvas.image.width, canvas.image.height);
-  const bool is_on_uv = procedural.on == ProceduralOn::kUv;
-  std::array<glm::dvec2, 3> p;      // in texels, y down
-  std::array<glm::dvec3, 3> place;  // in the space that the pattern is on
+  std::array<glm::dvec2, 3> p;   // in texels, y down
+  std::array<glm::dvec3, 3> at;  // in the space that the pattern is on
   for (std::size_t k = 0; k < 3; ++k) {
     const glm::dvec2 own(surface.texcoords[triangle[k]]);
-    const glm::dvec2 uv = transform.offset + transform.scale * (own + shift);
+    const glm::dvec2 uv = place.transform.offset + place.transform.scale * (own + shift);
     p[k] = glm::dvec2(uv.x, 1 - uv.y) * size;
-    place[k] = is_on_uv ? glm::dvec3(own, 0) : glm::dvec3(surface.positions[triangle[k]]) + surface.origin;
+    at[k] =
+        drawing.is_on_uv ? glm::dvec3(own, 0) : glm::dvec3(surface.positions[triangle[k]]) + surface.origin;
   }
   const glm::dvec2 low = glm::min(p[0], glm::min(p[1], p[2]));
   const glm::dvec2 high = glm::max(p[0], glm::max(p[1], p[2]));
-  const glm::ivec2 first(glm::max(glm::floor(low), glm::dvec2(clip.low)));
-  const glm::ivec2 end(glm::min(glm::ceil(high) + 1.0, glm::dvec2(clip.high)));
-  const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
-  const double whole = cross(p[1] - p[0], p[2] - p[0]);
+  const glm::ivec2 first(glm::max(glm::floor(low), glm::dvec2(place.clip.low)));
+  const glm::ivec2 end(glm::min(glm::ceil(high) + 1.0, glm::dvec2(place.clip.high)));
+  const glm::dvec2 b = p[1] - p[0];
+  const glm::dvec2 c = p[2] - p[0];
+  const double whole = b.x * c.y - b.y * c.x;
   if (whole == 0) return;
-  const auto weights = [&](const glm::dvec2& q) {
-    const double a = cross(p[1] - q, p[2] - q) / whole;
-    const double b = cross(p[2] - q, p[0] - q) / whole;
-    return glm::dvec3(a, b, 1 - a - b);
-  };
-  const auto placed = [&](const glm::dvec3& w) { return w.x * place[0] + w.y * place[1] + w.z * place[2]; };
-  const glm::dvec3 at_origin = placed(weights({0, 0}));
-  const glm::dvec3 dx = placed(weights({1, 0})) - at_origin;
-  const glm::dvec3 dy = placed(weights({0, 1})) - at_origin;
+  const glm::dvec3 to_b = at[1] - at[0];
+  const glm::dvec3 to_c = at[2] - at[0];
+  Patch patch{.corner = p[0],
+              .at_corner = at[0],
+              .dx = (c.y * to_b - b.y * to_c) / whole,
+              .dy = (b.x * to_c - c.x * to_b) / whole,
+              .area = place.area};
+  bool is_new = true;
   for (int y = first.y; y < end.y; ++y) {
     for (int x = first.x; x < end.x; ++x) {
-      if (canvas.is_covered[canvas.index(x, y)]) continue;
-      const glm::dvec3 at_middle = weights({x + 0.5, y + 0.5});
-      if (at_middle.x < -1e-9 || at_middle.y < -1e-9 || at_middle.z < -1e-9) continue;
-      canvas.set(x, y, texel_mean(procedural, placed(at_middle), dx, dy));
+      std::uint32_t& patch_of = canvas.patch_of[canvas.index(x, y)];
+      if (patch_of != kNoPatch) continue;
+      const glm::dvec2 q = glm::dvec2(x + 0.5, y + 0.5) - p[0];
+      const double of_b = (q.x * c.y - q.y * c.x) / whole;
+      const double of_c = (b.x * q.y - b.y * q.x) / whole;
+      if (of_b < -1e-9 || of_c < -1e-9 || 1 - of_b - of_c < -1e-9) continue;
+      if (is_new) {
+        patch.way = drawing.means.way_of(patch.dx, patch.dy);
+        canvas.patches.push_back(patch);
+        is_new = false;
+      }
+      patch_of = static_cast<std::uint32_t>(canvas.patches.size() - 1);
     }
   }
 }
 
 // The triangles first..end-1 of an area, and where it comes round its ends again past the seam.
-void draw_area(Canvas& canvas, const TexelRect& clip, const Procedural& procedural,
-               const BakeSurface& surface, std::uint32_t first, std::uint32_t end,
-               const UvTransform& transform, const glm::dvec2& period) {
+void place_area(const Drawing& drawing, const AreaPlace& place, std::uint32_t first, std::uint32_t end,
+                const glm::dvec2& period) {
   constexpr std::array kTurns = {0, -1, 1};
   for (const int i : kTurns) {
     for (const int j : kTurns) {
       if ((i != 0 && !(period.x > 0)) || (j != 0 && !(period.y > 0))) continue;
-      for (std::uint32_t t = first; t < end; ++t) {
-        draw_triangle(canvas, clip, procedural, surface, surface.triangles[t], transform,
-                      glm::dvec2(i, j) * period);
-      }
+      for (std::uint32_t t = first; t < end; ++t)
+        place_triangle(drawing, place, drawing.surface.triangles[t], glm::dvec2(i, j) * period);
     }
   }
 }
@@ -161,7 +260,7 @@ void fill_uncovered(Canvas& canvas) {
   std::deque<std::pair<int, int>> front;
   for (int y = 0; y < canvas.image.height; ++y) {
     for (int x = 0; x < canvas.image.width; ++x) {
-      if (canvas.is_covered[canvas.index(x, y)]) front.push_back({x, y});
+      if (canvas.patch_of[canvas.index(x, y)] != kNoPatch) front.push_back({x, y});
     }
   }
   while (!front.empty()) {
@@ -172,9 +271,9 @@ void fill_uncovered(Canvas& canvas) {
       const int ny = y + dy;
       if (nx < 0 || ny < 0 || nx >= canvas.image.width || ny >= canvas.image.height) continue;
       const std::size_t next = canvas.index(nx, ny);
-      if (canvas.is_covered[next]) continue;
+      if (canvas.patch_of[next] != kNoPatch) continue;
       for (std::size_t k = 0; k < 3; ++k) texels[3 * next + k] = texels[3 * canvas.index(x, y) + k];
-      canvas.is_covered[next] = true;
+      canvas.patch_of[next] = 0;
       front.push_back({nx, ny});
     }
   }
@@ -202,7 +301,7 @@ BakedTexture bake(const Texture& texture, const BakeSurface& surface, const Bake
   const std::size_t areas = surface.area_ends.size();
   const auto* procedural = std::get_if<Procedural>(&texture);
   if (procedural == nullptr || repeats_in_unit_square(*procedural)) {
-    return {bake_unit_square(texture, options.width, options.height), std::vector<UvTransform>(areas)};
+    return {bake_unit_square(texture, options), std::vector<UvTransform>(areas)};
   }
 
   // A grid of equal cells, one an area, with a gutter inside each.
@@ -219,6 +318,10 @@ BakedTexture bake(const Texture& texture, const BakeSurface& surface, const Bake
 
   BakedTexture baked;
   Canvas canvas = make_canvas(options.width, options.height);
+  canvas.patch_of.assign(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height),
+                         kNoPatch);
+  const TexelMeans means(*procedural);
+  const Drawing drawing{canvas, means, surface, procedural->on == ProceduralOn::kUv};
   std::uint32_t first = 0;
   for (std::size_t area = 0; area < areas; ++area) {
     const std::uint32_t end = surface.area_ends[area];
@@ -238,10 +341,11 @@ BakedTexture bake(const Texture& texture, const BakeSurface& surface, const Bake
     if (first < end) transform = {inner / extent, low - range.low * (inner / extent)};
     const TexelRect clip{glm::ivec2(glm::round(glm::dvec2(corner.x, 1 - corner.y - cell.y) * size)),
                          glm::ivec2(glm::round(glm::dvec2(corner.x + cell.x, 1 - corner.y) * size))};
-    draw_area(canvas, clip, *procedural, surface, first, end, transform, period_of(area));
+    place_area(drawing, {area, clip, transform}, first, end, period_of(area));
     baked.transforms.push_back(transform);
     first = end;
   }
+  paint(canvas, means, options.threads);
   fill_uncovered(canvas);
   baked.image = std::move(canvas.image);
   return baked;

@@ -99,7 +99,7 @@ struct Run {
   std::size_t count = 0;
   std::array<double, kMostAcross> shares{};
 };
-Run run_of(double x, double half, double joint) {
+Run run_of(double x, double half, double joint, FilterShape shape) {
   Run run;
   const double base = std::floor(x);
   const double f = x - base;
@@ -108,34 +108,38 @@ Run run_of(double x, double half, double joint) {
   run.count = std::min(kMostAcross, static_cast<std::size_t>(std::floor(f + half) - low) + 1);
   for (std::size_t i = 0; i < run.count; ++i) {
     const double cell = low + static_cast<double>(i) - f;
-    run.shares[i] = tent_below(cell + 1 - 0.5 * joint, half) - tent_below(cell + 0.5 * joint, half);
+    run.shares[i] =
+        share_below(cell + 1 - 0.5 * joint, half, shape) - share_below(cell + 0.5 * joint, half, shape);
   }
   return run;
 }
 
 // The bodies of the rows of one parity: a period of 2 rows.
-double rows_share(double y, double half, double joint, int parity) {
+double rows_share(double y, double half, double joint, int parity, FilterShape shape) {
   const double from = 0.5 * parity + 0.25 * joint;
-  return filtered_pulse(0.5 * y, from, from + 0.5 - 0.5 * joint, 0.5 * half);
+  return filtered_pulse(0.5 * y, from, from + 0.5 - 0.5 * joint, 0.5 * half, shape);
 }
 
 // A footprint that is wide: what bodies and joints cover of it, in their mean colours.
 glm::dvec3 far_color(const Cells& cells, const glm::dvec3& body_color, const glm::dvec3& joint_color,
-                     const glm::dvec3& at, const glm::dvec3& half) {
+                     const PatternPlace& place, const glm::dvec3& half) {
+  const glm::dvec3& at = place.at;
   double body = 0;
   for (int parity = 0; parity < 2; ++parity) {
-    body += rows_share(at.y, half.y, cells.joint_y, parity) *
-            filtered_pulse(at.x - parity * cells.bond, 0.5 * cells.joint_x, 1 - 0.5 * cells.joint_x, half.x);
+    body += rows_share(at.y, half.y, cells.joint_y, parity, place.shape) *
+            filtered_pulse(at.x - parity * cells.bond, 0.5 * cells.joint_x, 1 - 0.5 * cells.joint_x, half.x,
+                           place.shape);
   }
   return body * body_color + (1 - body) * joint_color;
 }
 
 // One that meets few cells: each in its own colour.
-glm::dvec3 near_color(const Cells& cells, Colors colors, const glm::dvec3& joint_color, const glm::dvec3& at,
-                      const glm::dvec3& half) {
-  const Run rows = run_of(at.y, half.y, cells.joint_y);
-  const std::array<Run, 2> columns = {run_of(at.x, half.x, cells.joint_x),
-                                      run_of(at.x - cells.bond, half.x, cells.joint_x)};
+glm::dvec3 near_color(const Cells& cells, Colors colors, const glm::dvec3& joint_color,
+                      const PatternPlace& place, const glm::dvec3& half) {
+  const glm::dvec3& at = place.at;
+  const Run rows = run_of(at.y, half.y, cells.joint_y, place.shape);
+  const std::array<Run, 2> columns = {run_of(at.x, half.x, cells.joint_x, place.shape),
+                                      run_of(at.x - cells.bond, half.x, cells.joint_x, place.shape)};
   glm::dvec3 sum(0.0);
   double body = 0;
   for (std::size_t j = 0; j < rows.count; ++j) {
@@ -159,8 +163,8 @@ glm::dvec3 cells_color(const Cells& cells, Colors all, const PatternPlace& place
   const double t = std::clamp((std::max(half.x, half.y) - kFadeFrom) / (kFadeTo - kFadeFrom), 0.0, 1.0);
   const double faded = t * t * (3 - 2 * t);
   glm::dvec3 color(0.0);
-  if (faded < 1) color += (1 - faded) * near_color(cells, colors, joint_color, place.at, half);
-  if (faded > 0) color += faded * far_color(cells, mean_color(cells, colors), joint_color, place.at, half);
+  if (faded < 1) color += (1 - faded) * near_color(cells, colors, joint_color, place, half);
+  if (faded > 0) color += faded * far_color(cells, mean_color(cells, colors), joint_color, place, half);
   return color;
 }
 
@@ -191,7 +195,8 @@ glm::dvec3 brick(const Pattern& pattern, const PatternPlace& place) {
                       .bond = given.bond,
                       .columns = pattern.period,
                       .rows = pattern.period > 0 ? static_cast<std::int64_t>(given.scale * given.ratio) : 0},
-                     pattern.colors, {stretch * place.at, stretch * place.major, stretch * place.minor});
+                     pattern.colors,
+                     {stretch * place.at, stretch * place.major, stretch * place.minor, place.shape});
 }
 
 }  // namespace sweepkit::texmap

@@ -13,8 +13,14 @@ double mean_kink(double t, const Cumulants& spread) {
   const double z = t / sigma;
   const double density = std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
   const double below = 0.5 * std::erfc(-z / std::numbers::sqrt2);
-  const double third = spread.third / (sigma * sigma * sigma);
-  const double fourth = spread.fourth / (sigma * sigma * sigma * sigma);
+  // A footprint that has hardly taken anything from a noise has lost a spread that goes to 0 as the cumulants
+  // do, and its shape would grow past all bounds: no part of a noise is further from normal than |noise| is
+  // in skewness and noise in kurtosis (the cumulants of fractal_noise.cpp).
+  constexpr double kMostSkewness = 0.8;
+  constexpr double kMostKurtosis = 0.5;
+  const double third = std::clamp(spread.third / (sigma * sigma * sigma), -kMostSkewness, kMostSkewness);
+  const double fourth =
+      std::clamp(spread.fourth / (sigma * sigma * sigma * sigma), -kMostKurtosis, kMostKurtosis);
   return sigma * (z * below + density * (1 - third / 6 * z + fourth / 24 * (z * z - 1)));
 }
 

@@ -80,7 +80,8 @@ std::int64_t wrapped(std::int64_t cell, std::int64_t period) {
   return rest < 0 ? rest + period : rest;
 }
 
-template <class Basis>
+// In a plane of the lattice (`is_flat`: z is whole) what lies above counts for nothing.
+template <class Basis, bool is_flat>
 double noise_of(const glm::dvec3& position, std::int64_t period_x, std::int64_t period_y) {
   const glm::dvec3 base = glm::floor(position);
   const glm::dvec3 f = position - base;
@@ -89,15 +90,17 @@ double noise_of(const glm::dvec3& position, std::int64_t period_x, std::int64_t 
   const auto z = static_cast<std::int64_t>(base.z);
   const std::array<std::int64_t, 2> ys = {wrapped(y, period_y), wrapped(y + 1, period_y)};
   const double v = Basis::fade(f.y);
-  const double w = Basis::fade(f.z);
+  [[maybe_unused]] const double w = Basis::fade(f.z);
   std::array<double, 2> slab;  // at x and x + 1, blended along y and z
   for (int i = 0; i < 2; ++i) {
     const std::uint64_t of_x = hash_x(wrapped(x + i, period_x));
     std::array<double, 2> line;
     for (int j = 0; j < 2; ++j) {
       const std::uint64_t of_xy = hash_y(of_x, ys[static_cast<std::size_t>(j)]);
-      line[static_cast<std::size_t>(j)] = mix(w, Basis::pull(hash_z(of_xy, z), f - glm::dvec3(i, j, 0)),
-                                              Basis::pull(hash_z(of_xy, z + 1), f - glm::dvec3(i, j, 1)));
+      double& value = line[static_cast<std::size_t>(j)];
+      value = Basis::pull(hash_z(of_xy, z), f - glm::dvec3(i, j, 0));
+      if constexpr (!is_flat)
+        value = mix(w, value, Basis::pull(hash_z(of_xy, z + 1), f - glm::dvec3(i, j, 1)));
     }
     slab[static_cast<std::size_t>(i)] = mix(v, line[0], line[1]);
   }
@@ -110,8 +113,13 @@ double lattice_noise(const glm::dvec3& position, NoiseBasis basis, std::int64_t 
                      std::int64_t period_y) {
   const auto is_whole = [](double value) { return !(std::abs(value) < kFarthest); };  // NaN, too
   if (is_whole(position.x) || is_whole(position.y) || is_whole(position.z)) return 0;
-  return basis == NoiseBasis::kPerlin2002 ? noise_of<Improved>(position, period_x, period_y)
-                                          : noise_of<Original>(position, period_x, period_y);
+  const bool is_flat = position.z == std::floor(position.z);
+  if (basis == NoiseBasis::kPerlin2002) {
+    return is_flat ? noise_of<Improved, true>(position, period_x, period_y)
+                   : noise_of<Improved, false>(position, period_x, period_y);
+  }
+  return is_flat ? noise_of<Original, true>(position, period_x, period_y)
+                 : noise_of<Original, false>(position, period_x, period_y);
 }
 
 double noise(const glm::dvec3& position, NoiseBasis basis) {

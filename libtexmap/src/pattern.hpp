@@ -4,22 +4,25 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 
 #include "sweepkit/texmap/procedural.hpp"
+#include "tent_steps.hpp"
 
 namespace sweepkit::texmap {
 
 using Colors = std::span<const glm::vec3>;
 
-/// A footprint in the pattern's own space, its scale applied: a tent of one `major` each way along the one
-/// axis, of one `minor` along the other. Finite.
+/// A footprint in the pattern's own space, its scale applied: a tent, or for steps a box, of one `major` each
+/// way along the one axis, of one `minor` along the other. Finite; a box lies along the pattern's axes.
 struct PatternPlace {
   glm::dvec3 at{0.0};
   glm::dvec3 major{0.0};
   glm::dvec3 minor{0.0};
+  FilterShape shape = FilterShape::kTent;
 
-  /// Half widths of tents along x, y and z with the footprint's variances.
+  /// Half widths along x, y and z of tents with the footprint's variances, or of the box.
   glm::dvec3 half_widths() const { return glm::sqrt(major * major + minor * minor); }
   /// The trace of its covariance, each axis stretched.
   double extent(const glm::dvec3& stretch) const {
@@ -48,11 +51,33 @@ struct Pattern {
   std::int64_t period = 0;
 };
 
+/// Views of `procedural`, which must outlive it.
+Pattern pattern_of(const Procedural& procedural);
+
+/// Places and steps of the space that the procedural is on, in the pattern's own.
+glm::dvec3 into_pattern(const Procedural& procedural, const glm::dvec3& v);
+
+/// texmap::evaluate() of a pattern that is at hand.
+glm::dvec3 color_of(const Pattern& pattern, const PatternFootprint& footprint);
+
+/// The mean over the box that dx and dy span, half of each to either side, of a pattern of steps; exact where
+/// it meets less than 4 cells across. None where they do not lie along two axes of the pattern.
+std::optional<glm::dvec3> box_mean(const Pattern& pattern, const PatternFootprint& box);
+
+/// The length, in units of the pattern, of the smallest thing in it: a band or joint of steps, a cell of the
+/// finest octave of noise.
+double finest_detail(const Pattern& pattern);
+
+bool is_of_steps(ProceduralKind kind);
+
 // Patterns of steps, exact for footprints along the axes (step_patterns.cpp, cell_pattern.cpp).
 glm::dvec3 checker(const Pattern& pattern, const PatternPlace& place);
 glm::dvec3 bands(const Pattern& pattern, const PatternPlace& place);
 glm::dvec3 tiles(const Pattern& pattern, const PatternPlace& place);
 glm::dvec3 brick(const Pattern& pattern, const PatternPlace& place);
+
+/// The width of the narrowest band.
+double narrowest_band(const Pattern& pattern);
 
 // Patterns of noise, which take a footprint's extent alone (noise_patterns.cpp).
 glm::dvec3 marble(const Pattern& pattern, const PatternPlace& place);

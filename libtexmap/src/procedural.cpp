@@ -23,34 +23,8 @@ constexpr double kFarthest = 4503599627370496.0;
 // Wider than any pattern's fade, and its square and those of its multiples are numbers.
 constexpr double kWidest = 1e12;
 
-bool is_of_steps(ProceduralKind kind) {
-  return kind <= ProceduralKind::kBrick;
-}
-
 bool is_whole(double scale) {
   return scale >= 1 && scale == std::floor(scale);
-}
-
-glm::dvec3 into_pattern(const Procedural& procedural, const glm::dvec3& v) {
-  if (procedural.on == ProceduralOn::kPosition) {
-    if (procedural.kind == ProceduralKind::kTiles) return procedural.scale * glm::dvec3(v.x, v.z, 0);
-    if (procedural.kind == ProceduralKind::kBrick) return procedural.scale * glm::dvec3(v.x - v.z, v.y, 0);
-  }
-  return procedural.scale * v;
-}
-
-Pattern pattern_of(const Procedural& procedural) {
-  const KindDefaults defaults = defaults_of(procedural.kind);
-  Pattern pattern{.given = procedural,
-                  .colors = procedural.colors.size() < 2 ? defaults.colors : Colors(procedural.colors),
-                  .turbulence = procedural.turbulence.value_or(defaults.turbulence),
-                  .octaves = {procedural.octaves.value_or(defaults.octaves), procedural.basis}};
-  pattern.octaves.is_flat = procedural.on == ProceduralOn::kUv;
-  if (repeats_in_unit_square(procedural)) {
-    pattern.period = static_cast<std::int64_t>(procedural.scale);
-    pattern.octaves.period_x = pattern.octaves.period_y = pattern.period;
-  }
-  return pattern;
 }
 
 glm::dvec3 value(const Pattern& pattern, const PatternPlace& place) {
@@ -111,22 +85,54 @@ int pieces_of(const Pattern& pattern, const PatternPlace& place) {
   return kMostOfSteps;
 }
 
-}  // namespace
-
-glm::vec3 evaluate(const Procedural& procedural, const PatternFootprint& footprint) {
-  const Pattern pattern = pattern_of(procedural);
-  PatternPlace place{into_pattern(procedural, footprint.at), into_pattern(procedural, footprint.dx),
-                     into_pattern(procedural, footprint.dy)};
-  if (!std::isfinite(place.at.x + place.at.y + place.at.z)) place.at = glm::dvec3(0.0);
-  place.at = glm::clamp(place.at, glm::dvec3(-kFarthest), glm::dvec3(kFarthest));
+// Where in the pattern a place is.
+glm::dvec3 place_in(const Pattern& pattern, const glm::dvec3& at) {
+  glm::dvec3 place = into_pattern(pattern.given, at);
+  if (!std::isfinite(place.x + place.y + place.z)) place = glm::dvec3(0.0);
+  place = glm::clamp(place, glm::dvec3(-kFarthest), glm::dvec3(kFarthest));
   if (pattern.period > 0) {  // the same bits one unit on
     const auto period = static_cast<double>(pattern.period);
-    place.at -= period * glm::floor(place.at / period);
+    place -= period * glm::floor(place / period);
   }
+  return place;
+}
+
+}  // namespace
+
+bool is_of_steps(ProceduralKind kind) {
+  return kind <= ProceduralKind::kBrick;
+}
+
+glm::dvec3 into_pattern(const Procedural& procedural, const glm::dvec3& v) {
+  if (procedural.on == ProceduralOn::kPosition) {
+    if (procedural.kind == ProceduralKind::kTiles) return procedural.scale * glm::dvec3(v.x, v.z, 0);
+    if (procedural.kind == ProceduralKind::kBrick) return procedural.scale * glm::dvec3(v.x - v.z, v.y, 0);
+  }
+  return procedural.scale * v;
+}
+
+Pattern pattern_of(const Procedural& procedural) {
+  const KindDefaults defaults = defaults_of(procedural.kind);
+  Pattern pattern{.given = procedural,
+                  .colors = procedural.colors.size() < 2 ? defaults.colors : Colors(procedural.colors),
+                  .turbulence = procedural.turbulence.value_or(defaults.turbulence),
+                  .octaves = {procedural.octaves.value_or(defaults.octaves), procedural.basis}};
+  pattern.octaves.is_flat = procedural.on == ProceduralOn::kUv;
+  if (repeats_in_unit_square(procedural)) {
+    pattern.period = static_cast<std::int64_t>(procedural.scale);
+    pattern.octaves.period_x = pattern.octaves.period_y = pattern.period;
+  }
+  return pattern;
+}
+
+glm::dvec3 color_of(const Pattern& pattern, const PatternFootprint& footprint) {
+  const Procedural& procedural = pattern.given;
+  PatternPlace place{place_in(pattern, footprint.at), into_pattern(procedural, footprint.dx),
+                     into_pattern(procedural, footprint.dy)};
   if (place.major == glm::dvec3(0.0) && place.minor == glm::dvec3(0.0)) return value(pattern, place);
   for (glm::dvec3* axis : {&place.major, &place.minor}) {
     const double size = std::abs(axis->x) + std::abs(axis->y) + std::abs(axis->z);
-    if (!std::isfinite(size)) return mean_of(procedural);
+    if (!std::isfinite(size)) return glm::dvec3(mean_of(procedural));
     if (size > kWidest) *axis *= kWidest / size;
   }
   turn_to_axes(place.major, place.minor);
@@ -138,6 +144,50 @@ glm::vec3 evaluate(const Procedural& procedural, const PatternFootprint& footpri
     sum += weight * value(pattern, {place.at + static_cast<double>(k) * step, step, place.minor});
   }
   return sum;
+}
+
+std::optional<glm::dvec3> box_mean(const Pattern& pattern, const PatternFootprint& box) {
+  const glm::dvec3 dx = into_pattern(pattern.given, box.dx);
+  const glm::dvec3 dy = into_pattern(pattern.given, box.dy);
+  const glm::dvec3 across = glm::abs(dx);
+  const glm::dvec3 down = glm::abs(dy);
+  // What rounding leaves beside an axis: a texel in a billion.
+  const double least = 1e-9 * std::max({across.x, across.y, across.z, down.x, down.y, down.z});
+  if (!(least < 1e-9 * kWidest)) return std::nullopt;
+  const auto axes = [&](const glm::dvec3& side) {
+    return (side.x > least ? 1 : 0) + (side.y > least ? 1 : 0) + (side.z > least ? 1 : 0);
+  };
+  if (axes(across) > 1 || axes(down) > 1) return std::nullopt;
+  for (glm::length_t k = 0; k < 3; ++k) {
+    if (across[k] > least && down[k] > least) return std::nullopt;
+  }
+  return value(pattern, {place_in(pattern, box.at), 0.5 * dx, 0.5 * dy, FilterShape::kBox});
+}
+
+double finest_detail(const Pattern& pattern) {
+  const Procedural& given = pattern.given;
+  // A joint, or what it leaves of a cell; none is no detail.
+  const double finest_octave = std::exp2(std::clamp(pattern.octaves.count, 1, 16) - 1);
+  const auto joint = [](double width) { return width > 0 && width < 1 ? std::min(width, 1 - width) : 1.0; };
+  switch (given.kind) {
+    case ProceduralKind::kChecker:
+      return 0.5;
+    case ProceduralKind::kTiles:
+      return joint(given.grout);
+    case ProceduralKind::kBands:
+      return narrowest_band(pattern);
+    case ProceduralKind::kBrick:
+      return std::min(1.0, joint(given.mortar) / given.ratio);
+    case ProceduralKind::kWood:
+      // Two octaves of fibres, which cells_of() counts where there are any, on bent rings.
+      return 1 / std::max(2 * cells_of(given), 2 * finest_octave);
+    default:
+      return 1 / (cells_of(given) * finest_octave);
+  }
+}
+
+glm::vec3 evaluate(const Procedural& procedural, const PatternFootprint& footprint) {
+  return color_of(pattern_of(procedural), footprint);
 }
 
 glm::vec3 evaluate(const Procedural& procedural, glm::dvec2 uv, const glm::dvec3& position) {

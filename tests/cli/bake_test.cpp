@@ -33,6 +33,23 @@ TEST_F(BakeTest, FollowsTheObjectUnlessToldItsSizeOrDensity) {
   EXPECT_NE(bake({"--size", "30x40"}).err.find("a.png: 30 x 40 texels"), std::string::npos);
 }
 
+// The wall's texture repeats, the stone's is laid out over it.
+TEST_F(BakeTest, AnyNumberOfThreadsMakesTheSameBytes) {
+  for (const std::string object : {"wall", "stone"}) {
+    ASSERT_EQ(bake({"--size", "60x40", "--threads", "1"}, object).status, 0);
+    const std::string alone = workshop.read("a.png");
+    ASSERT_EQ(bake({"--size", "60x40", "--threads", "3"}, object).status, 0);
+    EXPECT_EQ(workshop.read("a.png"), alone);
+  }
+  const auto made = [&](const std::string& file, const char* threads) {
+    const Outcome run =
+        workshop.sweepkit({"generate", "s.json", "--bake-size", "64", "--threads", threads, "-o", file});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return workshop.contents();
+  };
+  for (const std::string file : {"a.glb", "a.obj"}) EXPECT_EQ(made(file, "1"), made(file, "3"));
+}
+
 TEST_F(BakeTest, ANormalMapOfItsOwnMakingIsOneThatAMaterialTakes) {
   ASSERT_EQ(bake({"--texel-density", "32", "--normals", "0.01"}).status, 0);
   workshop.write(
@@ -53,6 +70,7 @@ TEST_F(BakeTest, RefusesWhatItCannotDo) {
   EXPECT_EQ(bake({"--texel-density", "100", "--size", "8x8"}).status, 2);
   EXPECT_EQ(bake({"--texel-density", "0"}).status, 2);
   EXPECT_EQ(bake({"--normals", "1e7"}).status, 2);
+  EXPECT_EQ(bake({"--threads", "0"}).status, 2);
 }
 
 TEST_F(BakeTest, GenerateTakesADensityForMeshFilesToo) {

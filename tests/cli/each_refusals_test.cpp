@@ -134,13 +134,11 @@ INSTANTIATE_TEST_SUITE_P(
              {"--set", "/objects/7/name=x"}}),
     name_of);
 
-TEST(EachNeeds, ATableThatIsThereAndThreadsNeedEach) {
+TEST(EachNeeds, ATableThatIsThere) {
   const Workshop workshop;
   workshop.write("scene.json", scene_of(kBall));
   EXPECT_EQ(workshop.sweepkit({"generate", "scene.json", "--each", "none.csv", "-o", "{row}.glb"}).err,
             "sweepkit: none.csv: no such file\n");
-  EXPECT_EQ(workshop.sweepkit({"generate", "scene.json", "-o", "a.glb", "--threads", "2"}).err,
-            "sweepkit: --threads requires --each; see sweepkit generate --help\n");
   EXPECT_EQ(workshop.sweepkit({"generate", "scene.json", "-o", "a.glb", "--json"}).err,
             "sweepkit: --json: prints tables; add --explain or --each\n");
 }

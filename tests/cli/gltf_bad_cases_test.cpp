@@ -47,18 +47,14 @@ TEST(GltfBadCases, AModelOfMoreThanTwoGibibytesIsRefusedBeforeItIsMade) {
   const Workshop workshop;
   workshop.write("s.json", scene_of(R"({"name": "rug", "plane": {"size": [1, 1]},
     "tessellation": {"contour": 7500, "trajectory": 7500}})"));
-  workshop.write("fine.json", scene_of(R"({"name": "ball", "tessellation": {"tolerance": 1e-8},
-    "revolve": {"contour": {"arc": {"radius": 1, "from_deg": -90, "to_deg": 90}}}})"));
   const auto before = workshop.contents();
   const Outcome run = workshop.sweepkit({"generate", "s.json", "-o", "a.glb"});
   EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.err,
-            "sweepkit: s.json:3:26: /objects/0/plane: the object \"rug\" would take 2.9 GiB, and a glTF file holds "
-            "less than 2; ask for fewer cells, or for another format\n");
+  EXPECT_EQ(
+      run.err,
+      "sweepkit: s.json:3:26: /objects/0/plane: the object \"rug\" would take 2.9 GiB, and a glTF file holds "
+      "less than 2; ask for fewer cells, or for another format\n");
   EXPECT_LT(run.cpu_seconds, 1);
-  const Outcome fine = workshop.sweepkit({"generate", "fine.json", "-o", "a.glb"});
-  EXPECT_EQ(fine.status, 2);
-  EXPECT_NE(fine.err.find("/objects/0/revolve: tolerance of 1e-08 m takes "), std::string::npos) << fine.err;
   EXPECT_EQ(workshop.contents(), before);
 }
 

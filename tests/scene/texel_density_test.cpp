@@ -81,8 +81,17 @@ TEST(TexelDensity, WithoutOneTheLongerSideHasTheSizeAndTheOtherFollowsTheObject)
   EXPECT_EQ(size_of(R"("plane": {"size": [1, 1]})", {}, kChecker), glm::ivec2(1024, 1024));
   EXPECT_EQ(size_of(kPlane, {}, kChecker), glm::ivec2(1024, 512));
   EXPECT_EQ(size_of(kTube, {.size = 300}, kChecker), glm::ivec2(std::lround(100 * kRound), 300));
-  EXPECT_EQ(size_of(R"("plane": {"size": [100, 1]})", {.size = 256}, kChecker), glm::ivec2(256, 16))
-      << "a sixteenth at least";
+  EXPECT_EQ(size_of(R"("plane": {"size": [16, 1]})", {.size = 256}, kChecker), glm::ivec2(256, 16));
+}
+
+// A strip of 200 m x 0.72 m in 1024 x 64 texels would have them 18 times as long as wide.
+TEST(TexelDensity, OfAStripTheShorterSideHasASixteenthAndTheLongerSquareTexels) {
+  const std::string strip = R"("plane": {"size": [100, 1]})";
+  EXPECT_EQ(size_of(R"("plane": {"size": [40, 1]})", {.size = 256}, kChecker), glm::ivec2(640, 16));
+  EXPECT_EQ(size_of(strip, {}, kMarble), glm::ivec2(4096, 64)) << "four times as many at most";
+  EXPECT_EQ(size_of(strip, {.most = 2000}, kMarble), glm::ivec2(2000, 64)) << "and no more than that";
+  EXPECT_EQ(size_of(strip, {.size = 512, .most = 256}, kMarble), glm::ivec2(512, 32)) << "but what is asked";
+  EXPECT_EQ(size_of(R"("plane": {"size": [1e9, 1]})", {.size = 8000}, kMarble), glm::ivec2(8192, 500));
 }
 
 // Of a cone of slant length s and base radius r the way round is 2 pi r (1 - x) at the share x of the slant,

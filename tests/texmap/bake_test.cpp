@@ -213,6 +213,28 @@ TEST(Bake, TexelsAreTheirMeans) {
   }
 }
 
+// Three bands of rows, of which the last is short; patterns of each way to a mean; an image.
+TEST(Bake, IsTheSameForAnyNumberOfThreads) {
+  const Tube tube;
+  const TwoSquares squares;
+  const Image fine{4, 2, 1, std::vector<std::uint16_t>{0, 65535, 0, 0, 65535, 0, 0, 0}};
+  const std::vector<Texture> textures = {
+      Procedural{.kind = ProceduralKind::kBrick, .scale = 2},
+      Procedural{.kind = ProceduralKind::kGranite, .on = ProceduralOn::kUv},
+      Procedural{.kind = ProceduralKind::kGranite, .on = ProceduralOn::kPosition, .scale = 0.1},
+      Procedural{.kind = ProceduralKind::kChecker, .on = ProceduralOn::kPosition},
+      ImageTexture{std::make_shared<const Image>(fine), Wrap::kRepeat}};
+  for (const Texture& texture : textures) {
+    for (const BakeSurface& surface : {tube.surface(), squares.surface()}) {
+      const auto texels = [&](int threads) { return bake(texture, surface, {50, 37, threads}).image.texels; };
+      const auto alone = texels(1);
+      EXPECT_EQ(texels(2), alone);
+      EXPECT_EQ(texels(7), alone) << "more than there are bands";
+      EXPECT_EQ(texels(0), alone);
+    }
+  }
+}
+
 TEST(Bake, RefusesSizesOutOfRange) {
   const TwoSquares squares;
   EXPECT_THROW(bake(Procedural{}, squares.surface(), {0, 5}), InputError);

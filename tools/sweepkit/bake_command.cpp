@@ -28,6 +28,7 @@ struct Bake {
   std::string size;
   std::optional<double> density;
   std::optional<double> depth;  // of a normal map
+  int threads = 0;              // as many as the machine has
 };
 
 texmap::Image bake_only_object(const scene::Scene& scene, const Bake& command) {
@@ -35,14 +36,16 @@ texmap::Image bake_only_object(const scene::Scene& scene, const Bake& command) {
   const scene::MeshView& mesh = scene.meshes[object.mesh];
   const texmap::Texture& texture = scene.textures[*scene.materials[*object.material].texture];
   const glm::dmat3 world_from_object(object.world_from_object);
-  texmap::BakeOptions options;
+  texmap::BakeOptions options{.threads = command.threads};
   if (!command.size.empty()) {
     const PixelSize size = parse_size(command.size);
-    options = {size.width, size.height};
+    options.width = size.width;
+    options.height = size.height;
   } else {
     const glm::ivec2 size =
         scene::bake_size_of(mesh, world_from_object, texture, {.density = command.density});
-    options = {size.x, size.y};
+    options.width = size.x;
+    options.height = size.y;
   }
   texmap::BakedTexture baked = scene::bake_over(mesh, texture, options);
   if (!command.depth) return std::move(baked.image);
@@ -100,7 +103,7 @@ void add_bake(CLI::App& app) {
   sub.add_option(
          "--size", command->size,
          "Texels; without it 1024 on the longer side, the other as the object's lengths along u and v "
-         "ask for")
+         "ask for; strips have more along them")
       ->type_name("WxH");
   add_texel_density(sub, command->density)->excludes("--size");
   sub.add_option(
@@ -108,6 +111,10 @@ void add_bake(CLI::App& app) {
          "A normal map in place of colours: the grey value is a height, white DEPTH metres above black")
       ->type_name("DEPTH")
       ->check(CLI::Range(-kMostDepth, kMostDepth));
+  sub.add_option("--threads", command->threads,
+                 "Threads; without it as many as the machine has. The image is the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
   add_quiet(sub, command->output);
   sub.footer(
       "Example:\n  sweepkit bake samples/scenes/textures.json --object floor_tiles -o tiles.png --size "

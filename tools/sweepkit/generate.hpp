@@ -24,7 +24,7 @@ struct Generate {
   Output output;
   std::string object;  ///< this one alone; empty: all
   std::string values;  ///< --each: a table of values, a file a row; empty: one file
-  int threads = 0;     ///< for --each; 0: as many as the machine has
+  int threads = 0;     ///< 0: as many as the machine has
   scene::GltfOptions gltf;
   bool forgets_scene = false;
   bool is_unlit = false;

@@ -85,6 +85,7 @@ void generate_one(const Generate& command) {
   require_memory(command.input.name(), needed, factor * needed.bytes);
   limit_triangles(document, factor * scene::kLeastBytesATriangle);
   scene::GltfOptions options = command.gltf;
+  options.threads = command.threads;
   if (keeps_scene(command, output.file)) options.scene = scene.text();
   const MadeFile made = make_file(document, plan, output.file, options, !output.is_quiet);
   warn(made.findings, output);
@@ -248,7 +249,7 @@ MadeFile make_file(const scene::Document& document, const scene::Plan& plan, con
   };
   if (scene::is_mesh_name(file)) {
     const scene::MeshOutput output = scene::make_mesh_output(
-        model.scene, plan, file, {options.bake_size, options.images, options.texel_density});
+        model.scene, plan, file, {options.bake_size, options.images, options.texel_density, options.threads});
     keep(output.files, output.ledger);
     made.triangles = output.triangles;
   } else {
@@ -285,19 +286,18 @@ void add_generate(CLI::App& app) {
                  "beside it), .ply, .stl or .off; - is a .glb to standard output. With --each a pattern such "
                  "as vase_{row}.glb")
       ->type_name("FILE");
-  CLI::Option* each =
-      sub.add_option("--each", command->values, "Make a file for each row of this table, as told below")
-          ->type_name("VALUES.csv");
+  sub.add_option("--each", command->values, "Make a file for each row of this table, as told below")
+      ->type_name("VALUES.csv");
   sub.add_option("--threads", command->threads,
-                 "Threads for --each; without it as many as the machine has. The files are the same")
+                 "Threads that bake textures, and of --each those that make files; without it as many as the "
+                 "machine has. The files are the same")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads))
-      ->needs(each);
+      ->check(CLI::Range(1, kMostThreads));
   sub.add_option("--object", command->object, "This object alone")->type_name("NAME");
   sub.add_option(
          "--bake-size", command->gltf.bake_size,
          "Texels on the longer side of the image that a procedural texture becomes; the other follows "
-         "the object")
+         "the object, a sixteenth at least, and a strip longer than that has up to 4 N along it")
       ->capture_default_str()
       ->type_name("N")
       ->check(CLI::Range(1, kMostTexels));

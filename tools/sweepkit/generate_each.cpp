@@ -151,6 +151,7 @@ class Batch {
       if (!scene::is_mesh_name(jobs_[row].file)) scene::check_gltf_size(document, command_.gltf);
       scene::GltfOptions options = command_.gltf;
       options.images = &images_;
+      options.threads = 1;  // rows are made side by side
       if (keeps_scene(command_, jobs_[row].file)) options.scene = scene_.text(settings);
       outcome.made = make_file(document, outcome.plan, jobs_[row].file, options, false);
     } catch (const InputError& error) {

@@ -61,6 +61,7 @@ struct GltfOptions {
   /// read_gltf_source() finds them. Empty: nothing is kept.
   std::string scene;
   ImageStore* images = nullptr;  ///< keeps encoded and baked images for the files to come
+  int threads = 0;               ///< that bake a texture; 0: as many as the machine has. The file is the same
 };
 
 struct NamedBytes {
@@ -90,15 +91,16 @@ struct GltfPieces {
   double grow_error = 0;    ///< metres that a growing end is from where it should be, the most in an object
 };
 
-/// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an object
-/// has several instances the node has a child for each, and they share the mesh. .glb holds everything; .gltf
-/// has its buffer and images beside it, named for `file`. Positions are relative to each mesh's origin, which
-/// is in its node in double. Coarser meshes have nodes of their own, which the finest's node points at by
-/// MSFT_lod; viewers that do not know it show the finest. Arrays, images and materials that are equal are written once, and a PNG or JPEG
-/// that needs no change is copied byte for byte. The same scene gives the same bytes. Throws InputError for
-/// an unknown object, one without triangles or with none left when quantized, one that an instance shears, a
-/// copyright that is no UTF-8, growing where nothing is swept, with vertices that are quantized or packed, or
-/// with levels of detail, or a file over 2 GiB.
+/// The scene as glTF 2.0: one node, one mesh and one primitive for each object, named for it; where an
+/// object has several instances the node has a child for each, and they share the mesh. .glb holds
+/// everything; .gltf has its buffer and images beside it, named for `file`. Positions are relative to each
+/// mesh's origin, which is in its node in double. Coarser meshes have nodes of their own, which the
+/// finest's node points at by MSFT_lod; viewers that do not know it show the finest. Arrays, images and
+/// materials that are equal are written once, and a PNG or JPEG that needs no change is copied byte for
+/// byte. The same scene gives the same bytes. Throws InputError for an unknown object, one without
+/// triangles or with none left when quantized, one that an instance shears, a copyright that is no UTF-8,
+/// growing where nothing is swept, with vertices that are quantized or packed, or with levels of detail,
+/// or a file over 2 GiB.
 GltfPieces make_gltf_pieces(const Scene& scene, const Plan& plan, const std::filesystem::path& file,
                             const GltfOptions& options);
 

@@ -48,8 +48,8 @@ class ImageStore {
   StoredImage read(const std::filesystem::path& file, texmap::ColorSpace color_space);
 
   /// The unit square of a procedural texture in `size` texels. Precondition:
-  /// texmap::repeats_in_unit_square().
-  StoredImage bake(const texmap::Procedural& procedural, glm::ivec2 size);
+  /// texmap::repeats_in_unit_square(). `threads` as in texmap::BakeOptions.
+  StoredImage bake(const texmap::Procedural& procedural, glm::ivec2 size, int threads = 0);
 
   /// The image as a file, sRGB but for normal maps; kept where the image came from this store, in one form.
   std::shared_ptr<const std::vector<std::byte>> encoded(const std::shared_ptr<const texmap::Image>& image,

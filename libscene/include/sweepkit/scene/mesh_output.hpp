@@ -24,6 +24,7 @@ struct MeshOutputOptions {
   int bake_size = 1024;                 ///< texels on the longer side of a baked procedural texture
   ImageStore* images = nullptr;         ///< keeps encoded and baked images for the files to come
   std::optional<double> texel_density;  ///< in place of bake_size: texels a metre (texel_density.hpp)
+  int threads = 0;                      ///< that bake a texture; 0: as many as the machine has
 };
 
 struct MeshOutput {

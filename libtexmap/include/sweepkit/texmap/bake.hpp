@@ -28,6 +28,7 @@ struct BakeSurface {
 struct BakeOptions {
   int width = 1024;  ///< 1 to 32768
   int height = 1024;
+  int threads = 0;  ///< 0: as many as the machine has. The image is the same
 };
 
 /// baked (u,v) = offset + scale * the mesh's (u,v).
