@@ -49,9 +49,10 @@ void check_gltf_size(Document& document, const GltfOptions& options) {
     if (kSure * static_cast<double>(bytes) < static_cast<double>(most)) continue;
     char size[32];
     std::snprintf(size, sizeof size, "%.1f", static_cast<double>(bytes) / (std::uint64_t{1} << 30));
-    throw InputError(object.pieces.front().place,
-                     "the object " + in_quotes(object.name) + " would take " + size +
-                         " GiB, and a glTF file holds less than 2; ask for fewer cells, or for another format");
+    throw InputError(
+        object.pieces.front().place,
+        "the object " + in_quotes(object.name) + " would take " + size +
+            " GiB, and a glTF file holds less than 2; ask for fewer cells, or for another format");
   }
 }
 

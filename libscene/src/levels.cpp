@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// Decimating a mesh loses the grid, the seams' (u,v) and the promise of how far off it is; dividing the curves
-// again by a larger tolerance keeps all three.
+// Decimating a mesh loses the grid, the seams' (u,v) and the promise of how far off it is; dividing the
+// curves again by a larger tolerance keeps all three.
 
 #include "sweepkit/scene/levels.hpp"
 

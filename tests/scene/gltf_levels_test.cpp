@@ -82,8 +82,8 @@ TEST(Levels, AMeshThatIsCoarseAlreadyHasNone) {
               "tessellation": {"tolerance": 0.001}})"),
       4);
   EXPECT_TRUE(box.model.scene.coarser.at(0).empty());
-  const Made floor = made(
-      scene_text("", R"({"name": "f", "plane": {"size": [1, 1]}, "tessellation": {"contour": 99}})"), 4);
+  const Made floor =
+      made(scene_text("", R"({"name": "f", "plane": {"size": [1, 1]}, "tessellation": {"contour": 99}})"), 4);
   EXPECT_TRUE(floor.model.scene.coarser.at(0).empty());
   EXPECT_EQ(floor.model.meshes.size(), 1u);
 }
@@ -103,7 +103,8 @@ TEST(GltfLevels, TheFinestIsWhatAPlainFileHas) {
   EXPECT_EQ(plain["meshes"][0], levels["meshes"][0]);
   EXPECT_EQ(plain["scenes"][0]["nodes"].size(), levels["scenes"][0]["nodes"].size());
   EXPECT_EQ(plain["materials"], levels["materials"]);
-  for (const char* member : {"mesh", "name"}) EXPECT_EQ(plain["nodes"][0][member], levels["nodes"][0][member]);
+  for (const char* member : {"mesh", "name"})
+    EXPECT_EQ(plain["nodes"][0][member], levels["nodes"][0][member]);
 }
 
 TEST(GltfLevels, TheFinestPointsAtTheOthersWhichNothingElsePointsAt) {
@@ -142,23 +143,24 @@ TEST(GltfLevels, EachInstanceHasNodesOfItsOwnAndTheMeshesAreShared) {
 }
 
 TEST(GltfLevels, QuantizedGlassIsAsThickInEveryLevel) {
-  const json root = gltf_of(made(scene_with(kBall, R"({"transmit": 1, "ior": 1.5, "diffuse": [0, 0, 0]})"), 3),
-                            {.is_quantized = true});
+  const json root =
+      gltf_of(made(scene_with(kBall, R"({"transmit": 1, "ior": 1.5, "diffuse": [0, 0, 0]})"), 3),
+              {.is_quantized = true});
   for (std::size_t i = 0; i < 4; ++i) {
     const json& node = root["nodes"][i];
     const json& material =
-        root["materials"][root["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0]["material"]
-                              .get<std::size_t>()];
+        root["materials"]
+            [root["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0]["material"].get<std::size_t>()];
     const double thickness = material["extensions"]["KHR_materials_volume"]["thicknessFactor"];
     EXPECT_NEAR(thickness * node["scale"][0].get<double>(), 4.0 / 3, 1e-3) << "4 V / S of the ball";
   }
 }
 
 TEST(GltfLevels, ColoursBakedOverTheMeshAreOneImageForAllLevels) {
-  const json root = gltf_of(made(
-      scene_text(
-          R"("textures": {"t": {"procedural": "marble"}}, "materials": {"m": {"texture": "t"}})", kBall),
-      3));
+  const json root = gltf_of(
+      made(scene_text(R"("textures": {"t": {"procedural": "marble"}}, "materials": {"m": {"texture": "t"}})",
+                      kBall),
+           3));
   EXPECT_EQ(root["images"].size(), 1u);
   EXPECT_EQ(root["materials"].size(), 1u);
   EXPECT_EQ(root["meshes"].size(), 4u);

@@ -220,8 +220,9 @@ TEST(StripOrder, TakesOneByteForATriangleOfAGrid) {
   EXPECT_LT(bytes, pack_triangles(mesh.triangles, mesh.positions.size()).size() + 1);
 }
 
-// Fourteen narrow patches between a star's corners, walked by rows of eight cells: two bytes for the start of a
-// line, and for each patch a first line that numbers two lines of vertices at once, at most four bytes a cell.
+// Fourteen narrow patches between a star's corners, walked by rows of eight cells: two bytes for the start of
+// a line, and for each patch a first line that numbers two lines of vertices at once, at most four bytes a
+// cell.
 TEST(StripOrder, TakesTwoBytesMoreForALineOfANarrowPatch) {
   const std::string star =
       R"({"name": "s", "tessellation": {"contour": 112, "trajectory": 96}, "sweep": {"caps": "none",

@@ -336,16 +336,18 @@ void add_generate(CLI::App& app) {
          "--meshopt as many as its cells need, 8 to 14")
       ->type_name("N")
       ->check(CLI::Range(8, 16));
-  sub.add_flag("--meshopt", command->gltf.is_packed,
-               "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know), (u,v) only "
-               "where there is a texture; with --quantize smallest");
+  sub.add_flag(
+      "--meshopt", command->gltf.is_packed,
+      "Vertices and triangles packed (EXT_meshopt_compression, which the viewer must know), (u,v) only "
+      "where there is a texture; with --quantize smallest");
   sub.add_flag(
       "--minimal", command->gltf.is_minimal,
       "Only what shows the objects: no names, no camera, no extras (the file cannot be made again from "
       "itself), and (u,v) only where there is a texture");
-  sub.add_option("--lod", command->gltf.levels,
-                 "Levels of detail (MSFT_lod): at most N coarser meshes of what is swept or revolved, made from "
-                 "the same curves, each for half the height in the picture of the one before")
+  sub.add_option(
+         "--lod", command->gltf.levels,
+         "Levels of detail (MSFT_lod): at most N coarser meshes of what is swept or revolved, made from "
+         "the same curves, each for half the height in the picture of the one before")
       ->type_name("N")
       ->check(CLI::Range(1, scene::kMostLevels));
   sub.add_option("--turntable", command->gltf.turntable_seconds,
