@@ -117,13 +117,13 @@ class RowPainter {
       std::array<const glm::dvec3*, 9> around;
       std::size_t known = 0;
       for (int j = -1; j <= 1; ++j) {
-        for (int i = 0; i <= 2; ++i) {
-          const Middle& middle = row(y + j)[static_cast<std::size_t>(x + i)];
+        for (std::size_t i = 0; i <= 2; ++i) {
+          const Middle& middle = row(y + j)[static_cast<std::size_t>(x) + i];
           if (middle.patch != nullptr && middle.patch->area == patch.area) around[known++] = &middle.color;
         }
       }
       if (known == around.size()) {
-        if (const auto smooth = means_.smooth_mean(around)) return *smooth;
+        if (const auto smooth = TexelMeans::smooth_mean(around)) return *smooth;
       }
     }
     return means_.mean(patch.way, patch.texel(x, y), scratch_);

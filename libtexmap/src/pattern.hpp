@@ -60,9 +60,13 @@ glm::dvec3 into_pattern(const Procedural& procedural, const glm::dvec3& v);
 /// texmap::evaluate() of a pattern that is at hand.
 glm::dvec3 color_of(const Pattern& pattern, const PatternFootprint& footprint);
 
-/// The mean over the box that dx and dy span, half of each to either side, of a pattern of steps; exact where
-/// it meets less than 4 cells across. None where they do not lie along two axes of the pattern.
-std::optional<glm::dvec3> box_mean(const Pattern& pattern, const PatternFootprint& box);
+/// Do dx and dy lie along two axes of the pattern, or along none?
+bool lies_along_axes(const Procedural& procedural, const glm::dvec3& dx, const glm::dvec3& dy);
+
+/// The mean of a pattern of steps over the box along its axes that the parallelogram of dx and dy about
+/// `box.at` just fits into: the parallelogram's own where it lies along the axes. Exact where it meets less
+/// than 4 cells across.
+glm::dvec3 box_mean(const Pattern& pattern, const PatternFootprint& box);
 
 /// The length, in units of the pattern, of the smallest thing in it: a band or joint of steps, a cell of the
 /// finest octave of noise.

@@ -146,22 +146,26 @@ glm::dvec3 color_of(const Pattern& pattern, const PatternFootprint& footprint) {
   return sum;
 }
 
-std::optional<glm::dvec3> box_mean(const Pattern& pattern, const PatternFootprint& box) {
-  const glm::dvec3 dx = into_pattern(pattern.given, box.dx);
-  const glm::dvec3 dy = into_pattern(pattern.given, box.dy);
-  const glm::dvec3 across = glm::abs(dx);
-  const glm::dvec3 down = glm::abs(dy);
+bool lies_along_axes(const Procedural& procedural, const glm::dvec3& dx, const glm::dvec3& dy) {
+  const glm::dvec3 across = glm::abs(into_pattern(procedural, dx));
+  const glm::dvec3 down = glm::abs(into_pattern(procedural, dy));
   // What rounding leaves beside an axis: a texel in a billion.
   const double least = 1e-9 * std::max({across.x, across.y, across.z, down.x, down.y, down.z});
-  if (!(least < 1e-9 * kWidest)) return std::nullopt;
+  if (!(least < 1e-9 * kWidest)) return false;
   const auto axes = [&](const glm::dvec3& side) {
     return (side.x > least ? 1 : 0) + (side.y > least ? 1 : 0) + (side.z > least ? 1 : 0);
   };
-  if (axes(across) > 1 || axes(down) > 1) return std::nullopt;
+  if (axes(across) > 1 || axes(down) > 1) return false;
   for (glm::length_t k = 0; k < 3; ++k) {
-    if (across[k] > least && down[k] > least) return std::nullopt;
+    if (across[k] > least && down[k] > least) return false;
   }
-  return value(pattern, {place_in(pattern, box.at), 0.5 * dx, 0.5 * dy, FilterShape::kBox});
+  return true;
+}
+
+glm::dvec3 box_mean(const Pattern& pattern, const PatternFootprint& box) {
+  const glm::dvec3 half =
+      0.5 * (glm::abs(into_pattern(pattern.given, box.dx)) + glm::abs(into_pattern(pattern.given, box.dy)));
+  return value(pattern, {place_in(pattern, box.at), half, {}, FilterShape::kBox});
 }
 
 double finest_detail(const Pattern& pattern) {

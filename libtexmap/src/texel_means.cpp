@@ -1,16 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// Three ways to a mean. Steps that lie along the texel's sides have one in closed form. Where a texel is
-// smaller than the pattern's detail, the colour at its middle is its mean but where the pattern bends: on
-// edges and veins, which a texel's neighbours tell. With d the second difference (a + b) / 2 - c along a line
-// of three texels, the mean is c + (d_x + d_y) / 12 for a parabola, and off by less than (d_x + d_y) / 4 for
-// a single kink, by d_x + d_y for a step. A texel that bends is divided into four, and those again, until a
-// part is as straight as its size allows; edges cross parts at random, so that the errors of the 1 / s parts
-// of side s along an edge add up as those of chance do, to s^(3/2) of a part's, and a part may be off by as
-// much more. Where a texel covers detail, points would alias: it is the mean of parts under footprints.
+// Steps that lie along the texel's sides have a mean in closed form. Askew, a part has one colour where the
+// box along the axes round it has; others are divided into four, and those again, down to 1/32 of a texel,
+// whose box stands for it. So no edge is overlooked, however small what it cuts off.
 //
-// No straight edge crosses a part unseen: it has corners on both sides.
+// Of noise, where a texel is smaller than the pattern's detail, the colour at its middle is its mean but
+// where the pattern bends: on edges and veins, which a texel's neighbours tell. With d the second difference
+// (a + b) / 2 - c along a line of three texels, the mean is c + (d_x + d_y) / 12 for a parabola, and off by
+// less than (d_x + d_y) / 4 for a single kink: by one level at most, d being two. A texel that bends is
+// divided into four, and those again, until a part is as straight as its size allows; edges cross parts at
+// random, so that the errors of the 1 / s parts of side s along an edge add up as those of chance do, to
+// s^(3/2) of a part's, and a part may be off by as much more. No straight edge crosses a part unseen: it has
+// corners on both sides. Where a texel covers detail, points would alias: it is the mean of parts under
+// footprints.
 
 #include "texel_means.hpp"
 
@@ -20,21 +23,17 @@
 namespace sweepkit::texmap {
 namespace {
 
-constexpr int kMostLevels = 5;                  // of parts in parts: 1/32 of a texel at least
+constexpr int kMostLevels = 4;  // of parts in parts: 1/16 of a texel at least
+constexpr int kMostEdgeLevels = 5;
 constexpr int kNodes = (2 << kMostLevels) + 1;  // of corners and middles, along a side
 constexpr double kLevel = 1.0 / 255;
+constexpr double kMostBend = 2;  // levels
 constexpr int kParts = 16;
 
 // A texel's side, in details, up to which points tell its mean. Granite's edges are far steeper than its
 // noise, so that points are worth more there.
 double most_details(ProceduralKind kind) {
   return kind == ProceduralKind::kGranite ? 0.75 : 0.5;
-}
-
-// Levels that neighbours may bend by in each direction: then a kink is off by one at most, and so is a step,
-// which lies between two neighbours only.
-double most_bend(ProceduralKind kind) {
-  return is_of_steps(kind) ? 1 : 2;
 }
 
 // What a level of an 8-bit file is at a colour: of its numbers, linear or sRGB, whichever is finer. The sRGB
@@ -61,16 +60,17 @@ TexelMeans::TexelMeans(const Procedural& procedural)
     : pattern_(pattern_of(procedural)), detail_(finest_detail(pattern_) / procedural.scale) {}
 
 TexelMeans::Way TexelMeans::way_of(const glm::dvec3& dx, const glm::dvec3& dy) const {
-  if (is_of_steps(pattern_.given.kind) && box_mean(pattern_, {{}, dx, dy})) return Way::kBox;
+  const bool has_steps = is_of_steps(pattern_.given.kind);
+  if (has_steps && lies_along_axes(pattern_.given, dx, dy)) return Way::kBox;
   const double side = std::max(glm::length(dx), glm::length(dy));
-  return side < most_details(pattern_.given.kind) * detail_ ? Way::kPoints : Way::kParts;
+  if (!(side < most_details(pattern_.given.kind) * detail_)) return Way::kParts;
+  return has_steps ? Way::kEdges : Way::kPoints;
 }
 
-std::optional<glm::dvec3> TexelMeans::smooth_mean(const std::array<const glm::dvec3*, 9>& around) const {
-  const double most = most_bend(pattern_.given.kind);
+std::optional<glm::dvec3> TexelMeans::smooth_mean(const std::array<const glm::dvec3*, 9>& around) {
   const glm::dvec3& middle = *around[4];
   for (std::size_t i = 0; i < 4; ++i) {
-    if (!is_straight(*around[i], *around[8 - i], middle, most)) return std::nullopt;
+    if (!is_straight(*around[i], *around[8 - i], middle, kMostBend)) return std::nullopt;
   }
   return middle + (*around[1] + *around[3] + *around[5] + *around[7] - 4.0 * middle) / 24.0;
 }
@@ -78,13 +78,30 @@ std::optional<glm::dvec3> TexelMeans::smooth_mean(const std::array<const glm::dv
 glm::dvec3 TexelMeans::mean(Way way, const PatternFootprint& texel, TexelScratch& scratch) const {
   switch (way) {
     case Way::kBox:
-      return *box_mean(pattern_, texel);
+      return box_mean(pattern_, texel);
+    case Way::kEdges:
+      return divided_by_edges(texel, kMostEdgeLevels);
     case Way::kPoints:
       return divided(texel, scratch);
     case Way::kParts:
       return mean_of_parts(texel);
   }
   return glm::dvec3(0.0);
+}
+
+glm::dvec3 TexelMeans::divided_by_edges(const PatternFootprint& texel, int levels) const {
+  const glm::dvec3 mean = box_mean(pattern_, texel);
+  const glm::dvec3 apart = glm::abs(mean - point(texel.at));
+  constexpr double kRounding = 1e-9;
+  if (levels == 0 || std::max({apart.x, apart.y, apart.z}) < kRounding) return mean;
+  const glm::dvec3 dx = 0.5 * texel.dx;
+  const glm::dvec3 dy = 0.5 * texel.dy;
+  glm::dvec3 sum(0.0);
+  for (const double j : {-0.5, 0.5}) {
+    for (const double i : {-0.5, 0.5})
+      sum += divided_by_edges({texel.at + i * dx + j * dy, dx, dy}, levels - 1);
+  }
+  return 0.25 * sum;
 }
 
 glm::dvec3 TexelMeans::divided(const PatternFootprint& texel, TexelScratch& scratch) const {
@@ -102,19 +119,16 @@ glm::dvec3 TexelMeans::divided(const PatternFootprint& texel, TexelScratch& scra
     }
     return scratch.colors_[index];
   };
-  // Ramps of noise are straight in smaller parts, steps never; and where two edges of a checker cross, a
-  // large part may have the same colour at all five points.
-  const bool has_steps = is_of_steps(pattern_.given.kind);
-  const int smallest = has_steps ? 2 : 4;
-  const int largest = (kNodes - 1) / (has_steps ? 4 : 2);  // the texel bends, as its neighbours have told
+  constexpr int kSmallest = 2;
   const auto mean_of_part = [&](const auto& self, int i, int j, int size, double share) -> glm::dvec3 {
     const glm::dvec3& middle = node(i + size / 2, j + size / 2);
     const glm::dvec3& a = node(i, j);
     const glm::dvec3& b = node(i + size, j);
     const glm::dvec3& c = node(i, j + size);
     const glm::dvec3& d = node(i + size, j + size);
-    if (size == smallest ||
-        (size <= largest && is_straight(a, d, middle, share) && is_straight(b, c, middle, share))) {
+    const bool is_whole = size == kNodes - 1;  // it bends, as its neighbours have told
+    if (size == kSmallest ||
+        (!is_whole && is_straight(a, d, middle, share) && is_straight(b, c, middle, share))) {
       return (2.0 * middle + 0.25 * (a + b + c + d)) / 3.0;
     }
     const int half = size / 2;
@@ -122,7 +136,7 @@ glm::dvec3 TexelMeans::divided(const PatternFootprint& texel, TexelScratch& scra
     return 0.25 * (self(self, i, j, half, more) + self(self, i + half, j, half, more) +
                    self(self, i, j + half, half, more) + self(self, i + half, j + half, half, more));
   };
-  return mean_of_part(mean_of_part, 0, 0, kNodes - 1, has_steps ? 1 : 8);
+  return mean_of_part(mean_of_part, 0, 0, kNodes - 1, 8);
 }
 
 // Each under a tent that stays inside it, so that an edge between texels stays sharp.

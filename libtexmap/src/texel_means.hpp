@@ -31,6 +31,7 @@ class TexelMeans {
   /// How a texel of given sides is averaged.
   enum class Way {
     kBox,     ///< steps along its sides: in closed form
+    kEdges,   ///< steps askew: parts, down to small ones where there are edges
     kPoints,  ///< no detail is finer than it: its middle, or points as close as the pattern asks for
     kParts,   ///< it covers detail: square parts under footprints
   };
@@ -44,12 +45,13 @@ class TexelMeans {
 
   /// The mean over a texel whose middle is `around[4]`, of a texel's neighbours row by row: none where it
   /// bends too much to be told from them.
-  std::optional<glm::dvec3> smooth_mean(const std::array<const glm::dvec3*, 9>& around) const;
+  static std::optional<glm::dvec3> smooth_mean(const std::array<const glm::dvec3*, 9>& around);
 
   /// The mean over the texel that dx and dy span about `texel.at`.
   glm::dvec3 mean(Way way, const PatternFootprint& texel, TexelScratch& scratch) const;
 
  private:
+  glm::dvec3 divided_by_edges(const PatternFootprint& texel, int levels) const;
   glm::dvec3 divided(const PatternFootprint& texel, TexelScratch& scratch) const;
   glm::dvec3 mean_of_parts(const PatternFootprint& texel) const;
 
