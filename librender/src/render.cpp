@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "band.hpp"
 #include "environment.hpp"
@@ -311,6 +312,11 @@ Picture Renderer::draw(int step) const {
   statistics.textured_nodes = total.shading.lookups.textured;
   statistics.shade_thread_seconds = total.shade_seconds;
   fill_ledger(picture.ledger, total, tracer, scene.has_dimmed_shadows);
+  // Neighbours may be compared for the estimate alone.
+  if (estimates && !plan.needs_part(scene::Part::kRefinement)) {
+    picture.ledger[scene::Part::kErrorEstimate].bytes +=
+        std::exchange(picture.ledger[scene::Part::kRefinement].bytes, 0);
+  }
   for (const PictureLayer& layer : picture.layers) {
     picture.ledger[scene::Part::kLayers].bytes += layer.image.bytes();
     picture.ledger[scene::Part::kLayers].calls += 1;

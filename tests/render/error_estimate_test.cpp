@@ -86,6 +86,8 @@ TEST(ErrorEstimate, CostsNothingWhereItIsNotAskedForAndShowsUpWhereItIs) {
   const Picture with = stage.draw({.estimates_error = true});
   EXPECT_GT(with.ledger[Part::kErrorEstimate].bytes, 0u);
   EXPECT_EQ(with.ledger[Part::kErrorEstimate].calls, with.error->checked_pixels);
+  EXPECT_EQ(with.ledger[Part::kRefinement].bytes, 0u);
+  EXPECT_EQ(with.ledger[Part::kRefinement].calls, 0u);
 }
 
 TEST(Goal, OfAnErrorIsReachedAndNotPassedByMoreThanTwice) {
