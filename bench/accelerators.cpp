@@ -18,13 +18,13 @@
 #include <string>
 #include <vector>
 
-#include "accelerator_meshes.hpp"
 #include "embree_scene.hpp"
-#include "eye_rays.hpp"
 #include "harness.hpp"
 #include "linear_scan.hpp"
 #include "seads.hpp"
 #include "sweep_hierarchy.hpp"
+#include "sweep_meshes.hpp"
+#include "traced_mesh.hpp"
 
 namespace {
 
@@ -38,35 +38,6 @@ struct Rays {
   std::vector<Ray> primary;  ///< by blocks of 4 x 4 pixels
   std::vector<Ray> incoherent;
 };
-
-Rays rays_about(const render::Box& box) {
-  const glm::dvec3 middle = 0.5 * (box.low + box.high);
-  const double radius = 0.5 * glm::length(box.high - box.low);
-  scene::Camera camera;
-  camera.target = middle;
-  camera.fov_deg = 34;
-  camera.eye =
-      middle + radius / std::sin(17 * std::numbers::pi / 180) * glm::normalize(glm::dvec3(0.5, 0.5, 0.8));
-  const render::EyeRays eye(camera, kSide, kSide);
-  Rays rays;
-  for (int y = 0; y < kSide; y += 4) {
-    for (int x = 0; x < kSide; x += 4) {
-      for (int k = 0; k < 16; ++k) rays.primary.push_back(eye.through(x + k % 4, y + k / 4));
-    }
-  }
-  // From anywhere on a sphere about the mesh to anywhere in its box.
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> real(0, 1);
-  for (int n = 0; n < kSide * kSide; ++n) {
-    const glm::dvec3 out(normal(random), normal(random), normal(random));
-    const glm::dvec3 origin = middle + 1.5 * radius * glm::normalize(out);
-    const glm::dvec3 aim =
-        box.low + (box.high - box.low) * glm::dvec3(real(random), real(random), real(random));
-    rays.incoherent.push_back({origin, glm::normalize(aim - origin)});
-  }
-  return rays;
-}
 
 void trace_single(const render::MeshAccelerator& accelerator, std::span<const Ray> rays,
                   std::vector<Hit>& hits) {
@@ -111,9 +82,13 @@ void compare_hits(const scene::MeshView& mesh, const std::vector<Ray>& rays, con
               rays.size(), looked_at, agrees);
 }
 
-void compare_on(const render::test::Shape& shape, const std::string& name,
-                std::vector<bench::Comparison>& out) {
-  const scene::MeshView mesh = shape.view();
+// About so many triangles, in cells about as wide as high.
+render::test::Shape vase_of(double triangles) {
+  const double turn = std::sqrt(triangles / 2 * 80 / 46);
+  return render::test::vase(static_cast<int>(std::round(turn * 46 / 80)), static_cast<int>(std::round(turn)));
+}
+
+void compare_on(const scene::MeshView& mesh, const std::string& name, std::vector<bench::Comparison>& out) {
   const double count = static_cast<double>(mesh.triangles.size());
   const int rounds = count > 4e6 ? 1 : count > 5e5 ? 3 : 9;
   const int trace_rounds = count > 5e5 ? 5 : 9;
@@ -142,7 +117,9 @@ void compare_on(const render::test::Shape& shape, const std::string& name,
               static_cast<double>(triangles.bytes()) / count, static_cast<double>(grid.bytes()) / count,
               static_cast<double>(sweep->bytes()) / count, static_cast<double>(seads->bytes()) / count);
 
-  const Rays rays = rays_about(sweep->tree().box);
+  const render::Box& box = sweep->tree().box;
+  const Rays rays{report::eye_rays_about(box.low, box.high, kSide),
+                  report::incoherent_rays_about(box.low, box.high, kSide)};
   const std::vector<std::string> sets = render::instruction_sets();
   const bool has_avx2 = std::find(sets.begin(), sets.end(), "AVX2") != sets.end();
   const render::SweepHierarchy avx2(mesh, has_avx2 ? "AVX2" : sets.back());
@@ -214,8 +191,8 @@ int compare_all(int argc, char** argv) {
   for (const double size : sizes) {
     char text[32];
     std::snprintf(text, sizeof text, "_%.2g", size);
-    compare_on(bench::vase_of(size), std::string("vase") + text, comparisons);
-    compare_on(bench::trefoil_of(size), std::string("trefoil") + text, comparisons);
+    compare_on(vase_of(size).view(), std::string("vase") + text, comparisons);
+    compare_on(report::trefoil_of(size).view(), std::string("trefoil") + text, comparisons);
   }
   if (argc > 1 && !(std::ofstream(argv[1]) << bench::to_csv(comparisons))) {
     std::fprintf(stderr, "%s: cannot be written\n", argv[1]);

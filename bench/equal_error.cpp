@@ -24,15 +24,14 @@
 
 #include "error_plot.hpp"
 #include "harness.hpp"
-#include "sweepkit/render/render.hpp"
+#include "picture_scene.hpp"
 #include "sweepkit/scene/document.hpp"
-#include "sweepkit/scene/model.hpp"
-#include "sweepkit/scene/plan.hpp"
 #include "sweepkit/texmap/image_error.hpp"
 
 namespace {
 
 using namespace sweepkit;
+using namespace sweepkit::report;
 
 constexpr int kReferenceSide = 32;
 constexpr double kLongRun = 30;  // seconds; what takes longer is drawn once
@@ -74,22 +73,9 @@ std::vector<Method> methods() {
   return all;
 }
 
-render::Picture draw(const scene::Document& document, const scene::Model& model,
-                     const render::Options& options) {
-  const scene::Plan plan =
-      scene::plan(document, {.product = scene::Request::Product::kPicture,
-                             .filter = options.filter,
-                             .is_supersampled = options.supersampling > 1,
-                             .is_refined = options.adaptive.has_value(),
-                             .has_smooth_shadows = options.shadows == render::Shadows::kSmooth,
-                             .has_differentials = options.footprint != render::Footprint::kNeighbours});
-  return render::render(model.scene, plan, options);
-}
-
 // The floats of the reference as they are; a file of another size is none.
-texmap::Image reference_in(const std::filesystem::path& file, const scene::Document& document,
-                           const scene::Model& model) {
-  texmap::Image image = texmap::make_float_image(document.width, document.height);
+texmap::Image reference_in(const std::filesystem::path& file, const PictureScene& scene) {
+  texmap::Image image = texmap::make_float_image(scene.document.width, scene.document.height);
   auto& texels = std::get<std::vector<float>>(image.texels);
   const auto bytes = static_cast<std::streamsize>(texels.size() * sizeof(float));
   std::error_code error;
@@ -97,10 +83,9 @@ texmap::Image reference_in(const std::filesystem::path& file, const scene::Docum
     std::ifstream(file, std::ios::binary).read(reinterpret_cast<char*>(texels.data()), bytes);
     return image;
   }
-  image = draw(document, model,
-               {.filter = render::Filter::kPoint,
-                .supersampling = kReferenceSide,
-                .shadows = render::Shadows::kHard})
+  image = draw(scene, {.filter = render::Filter::kPoint,
+                       .supersampling = kReferenceSide,
+                       .shadows = render::Shadows::kHard})
               .image;
   const auto& drawn = std::get<std::vector<float>>(image.texels);
   std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(drawn.data()), bytes);
@@ -120,12 +105,8 @@ struct Outcome {
 
 void run(const char* scene_file, const std::filesystem::path& folder, int rounds) {
   std::filesystem::create_directories(folder);
-  const scene::Document document = scene::read_document(scene_file);
-  const scene::Model model =
-      scene::build(document, scene::plan(document, {.product = scene::Request::Product::kPicture,
-                                                    .filter = render::Filter::kAuto,
-                                                    .is_supersampled = true}));
-  const texmap::Image reference = reference_in(folder / "reference.raw", document, model);
+  const PictureScene scene = make_scene(scene::read_document(scene_file));
+  const texmap::Image reference = reference_in(folder / "reference.raw", scene);
   const std::vector<Method> all = methods();
   std::vector<Outcome> outcomes(all.size());
   for (int round = 0; round < rounds; ++round) {
@@ -136,11 +117,11 @@ void run(const char* scene_file, const std::filesystem::path& folder, int rounds
       render::Options options = all[i].options;
       options.threads = 1;
       const double start = processor_seconds();
-      const render::Picture picture = draw(document, model, options);
+      const render::Picture picture = draw(scene, options);
       outcome.seconds.push_back(processor_seconds() - start);
       if (round > 0) continue;
-      outcome.rays_a_pixel =
-          static_cast<double>(picture.statistics.eye_rays) / (1.0 * document.width * document.height);
+      outcome.rays_a_pixel = static_cast<double>(picture.statistics.eye_rays) /
+                             (1.0 * scene.document.width * scene.document.height);
       outcome.rmse = texmap::rmse(picture.image, reference);
       outcome.flip = texmap::mean_flip(picture.image, reference);
     }

@@ -17,17 +17,16 @@
 #include <vector>
 
 #include "harness.hpp"
-#include "sweepkit/render/render.hpp"
+#include "picture_scene.hpp"
 #include "sweepkit/scene/document.hpp"
-#include "sweepkit/scene/model.hpp"
 #include "sweepkit/scene/output_file.hpp"
-#include "sweepkit/scene/plan.hpp"
 #include "sweepkit/texmap/image_error.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace {
 
 using namespace sweepkit;
+using namespace sweepkit::report;
 
 constexpr int kRuns = 7;  // odd, so that the median is a run
 constexpr double kMostNanoseconds = 150;
@@ -37,56 +36,19 @@ struct Method {
   render::Options options;
 };
 
-scene::Plan plan_for(const scene::Document& document, const render::Options& options) {
-  return scene::plan(document, {.product = scene::Request::Product::kPicture,
-                                .filter = options.filter,
-                                .is_supersampled = options.supersampling > 1,
-                                .has_smooth_shadows = options.shadows == render::Shadows::kSmooth,
-                                .has_differentials = options.footprint != render::Footprint::kNeighbours});
-}
-
 // What filtering adds to shading, a node: both pictures drawn in turn on one thread, the median of the
 // differences.
-double ns_a_filtered_node(const scene::Document& document, const scene::Model& model,
-                          render::Options filtered) {
+double ns_a_filtered_node(const PictureScene& scene, render::Options filtered) {
   filtered.threads = 1;
   std::vector<double> nanoseconds;
   for (int run = 0; run < kRuns; ++run) {
     const render::Options point{.filter = render::Filter::kPoint, .threads = 1};
-    const render::Statistics without =
-        render::render(model.scene, plan_for(document, point), point).statistics;
-    const render::Statistics with =
-        render::render(model.scene, plan_for(document, filtered), filtered).statistics;
+    const render::Statistics without = draw(scene, point).statistics;
+    const render::Statistics with = draw(scene, filtered).statistics;
     nanoseconds.push_back(1e9 * (with.shade_thread_seconds - without.shade_thread_seconds) /
                           static_cast<double>(with.filtered_nodes));
   }
   return bench::spread(nanoseconds).median;
-}
-
-// Which object each pixel's middle sees first: the scene drawn with a colour of its own for every object.
-std::vector<std::uint8_t> mask_of(const scene::Document& document, const scene::Model& model,
-                                  const std::string& object) {
-  scene::Document flat = document;
-  for (scene::Material& material : flat.materials) {
-    material.reflect = 0;
-    material.texture.reset();
-  }
-  scene::Scene scene = model.scene;
-  scene.lights.clear();
-  scene.ambient = glm::vec3(1.0f);
-  scene.background = glm::vec3(0.0f);
-  scene.materials.assign(2, {.diffuse = glm::vec3(0.0f)});
-  scene.materials[1].diffuse = glm::vec3(1.0f);
-  for (scene::Object& entry : scene.objects) entry.material = entry.name == object ? 1 : 0;
-  flat.lights.clear();
-  flat.has_ambient = true;
-  const render::Options options{.filter = render::Filter::kPoint};
-  const render::Picture picture = render::render(scene, plan_for(flat, options), options);
-  std::vector<std::uint8_t> mask;
-  for (int y = 0; y < picture.image.height; ++y) {
-    for (int x = 0; x < picture.image.width; ++x) mask.push_back(picture.image.color(x, y).r > 0.5f);
-  }
-  return mask;
 }
 
 void write_picture(const std::filesystem::path& file, const texmap::Image& image) {
@@ -104,7 +66,6 @@ int main(int argc, char** argv) {
   try {
     const std::filesystem::path folder = argv[2];
     std::filesystem::create_directories(folder);
-    const scene::Document document = scene::read_document(argv[1]);
     const render::Options point{.filter = render::Filter::kPoint};
     const render::Options paper{.filter = render::Filter::kIntegral1,
                                 .footprint = render::Footprint::kNeighbours};
@@ -113,7 +74,7 @@ int main(int argc, char** argv) {
     const render::Options filtered{};
     const render::Options filtered_3x3{.supersampling = 3};
     const render::Options reference_options{.filter = render::Filter::kPoint, .supersampling = 16};
-    const scene::Model model = scene::build(document, plan_for(document, filtered));
+    const PictureScene scene = make_scene(scene::read_document(argv[1]));
 
     const std::vector<Method> methods = {{"point", point},       {"paper", paper},
                                          {"integral-1", box},    {"trilinear", trilinear},
@@ -123,18 +84,13 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < methods.size(); ++i) {
       contenders.push_back(
           {.name = methods[i].name,
-           .run =
-               [&, i] {
-                 const render::Options& options = methods[i].options;
-                 pictures[i] = render::render(model.scene, plan_for(document, options), options);
-               },
+           .run = [&, i] { pictures[i] = draw(scene, methods[i].options); },
            .check = [&, i] { return pictures[i].statistics.nodes > 0 ? "" : "nothing was drawn"; }});
     }
     const bench::Comparison times = bench::compare("paper_scene", contenders, kRuns);
-    const render::Picture reference =
-        render::render(model.scene, plan_for(document, reference_options), reference_options);
-    const std::vector<std::uint8_t> floor = mask_of(document, model, "floor");
-    const std::vector<std::uint8_t> mirror = mask_of(document, model, "left wall");
+    const render::Picture reference = draw(scene, reference_options);
+    const std::vector<std::uint8_t> floor = mask_of(scene, kPaperFloor);
+    const std::vector<std::uint8_t> mirror = mask_of(scene, kPaperMirror);
 
     std::string csv =
         "method,seconds_median,seconds_min,seconds_max,rmse_floor,rmse_mirror,rmse_all,flip_all\n";
@@ -167,7 +123,7 @@ int main(int argc, char** argv) {
              texmap::rmse(image, reference.image) < texmap::rmse(paper_image, reference.image);
     };
     for (const std::size_t i : {2u, 3u, 4u}) {
-      const double cost = ns_a_filtered_node(document, model, methods[i].options);
+      const double cost = ns_a_filtered_node(scene, methods[i].options);
       const bool is_better_here = is_better(pictures[i].image);
       is_cheap = is_cheap || (is_better_here && cost <= kMostNanoseconds);
       std::printf("%s: %.0f ns a filtered node; error %s the paper's filter's\n", methods[i].name.c_str(),

@@ -37,3 +37,9 @@ find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
 add_library(xxhash::header INTERFACE IMPORTED)
 target_include_directories(xxhash::header SYSTEM INTERFACE ${XXHASH_INCLUDE_DIR})
 target_compile_definitions(xxhash::header INTERFACE XXH_INLINE_ALL)
+
+# Duktape brings no CMake package; the program alone draws with it.
+find_path(DUKTAPE_INCLUDE_DIR duktape.h REQUIRED)
+find_library(DUKTAPE_LIBRARY duktape REQUIRED)
+add_library(duktape::duktape UNKNOWN IMPORTED)
+set_target_properties(duktape::duktape PROPERTIES IMPORTED_LOCATION ${DUKTAPE_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${DUKTAPE_INCLUDE_DIR})

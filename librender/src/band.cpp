@@ -23,19 +23,8 @@ double thread_seconds() {
 }  // namespace
 
 void BandCounts::add(const BandCounts& other) {
-  rays.eye += other.rays.eye;
-  rays.reflected += other.rays.reflected;
-  rays.refracted += other.rays.refracted;
-  rays.shadow += other.rays.shadow;
-  rays.texcoords += other.rays.texcoords;
-  rays.shares += other.rays.shares;
-  rays.normals += other.rays.normals;
-  shading.smoothed += other.shading.smoothed;
-  shading.nodes += other.shading.nodes;
-  shading.environment_lookups += other.shading.environment_lookups;
-  shading.lookups.textured += other.shading.lookups.textured;
-  shading.lookups.filtered += other.shading.lookups.filtered;
-  shading.lookups.differentials += other.shading.lookups.differentials;
+  rays.add(other.rays);
+  shading.add(other.shading);
   refinement.pixels += other.refinement.pixels;
   refinement.rays += other.refinement.rays;
   refinement.bytes = std::max(refinement.bytes, other.refinement.bytes);
@@ -54,7 +43,7 @@ void BandCounts::add(const BandCounts& other) {
 BandPainter::BandPainter(const scene::Scene& scene, const scene::Plan& plan, const EyeRays& eye_rays,
                          const TreeBuilder& builder, const Shader& shader, const LayerPainter& layers,
                          texmap::TileCache& tiles, const Region& region, int supersampling,
-                         const std::optional<Adaptive>& adaptive)
+                         const std::optional<Adaptive>& adaptive, std::span<PixelError> errors)
     : scene_(scene),
       builder_(builder),
       shader_(shader),
@@ -65,6 +54,7 @@ BandPainter::BandPainter(const scene::Scene& scene, const scene::Plan& plan, con
               region.height * supersampling},
       supersampling_(supersampling),
       adaptive_(adaptive),
+      errors_(errors),
       has_neighbour_rows_(plan.needs_part(scene::Part::kRows)) {}
 
 BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
@@ -72,11 +62,12 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
   BandCounts counts;
   texmap::FilterThread filter(tiles_);
   // What is shaded beyond the band to compare its pixels with, and what is traced beyond that.
-  const int reach = adaptive_ ? 1 : 0;
+  const bool is_compared = adaptive_ || !errors_.empty();
+  const int reach = is_compared ? 1 : 0;
   const int border = has_neighbour_rows_ ? 1 : 0;
   RowBuffers rows(builder_, eye_rays_,
                   has_neighbour_rows_ ? KeptRows::kBothSides
-                  : adaptive_         ? KeptRows::kAbove
+                  : is_compared       ? KeptRows::kAbove
                                       : KeptRows::kOwn,
                   region_.x - reach - border, region_.x + region_.width + reach + border);
   const auto width = static_cast<std::size_t>(region_.width) + 2 * static_cast<std::size_t>(reach);
@@ -88,7 +79,10 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
   std::optional<Shrinker> shrinker;
   if (supersampling_ > 1) shrinker.emplace(supersampling_, image.width);
   std::optional<RefinedRows> refined;
-  if (adaptive_) refined.emplace(scene_, builder_, shader_, eye_rays_, *adaptive_, region_.x - reach, width);
+  if (is_compared) {
+    refined.emplace(scene_, builder_, shader_, eye_rays_, adaptive_, !errors_.empty(), region_.x - reach,
+                    width);
+  }
 
   const int first_y = region_.y + first * supersampling_;
   const int end_y = region_.y + end * supersampling_;
@@ -119,6 +113,11 @@ BandCounts BandPainter::paint(texmap::Image& image, int first, int end,
         refined->add(rows, border, trees);
         if (y - 1 < first_y) continue;
         finished = refined->finish(y - 1, filter, counts.rays, counts.shading).subspan(1, width - 2);
+        if (!errors_.empty()) {
+          std::ranges::copy(
+              refined->errors().subspan(1, width - 2),
+              errors_.begin() + static_cast<std::ptrdiff_t>(row) * static_cast<std::ptrdiff_t>(image.width));
+        }
         if (layers_.is_needed())
           std::ranges::copy(refined->eye_rays().subspan(1, width - 2), eye_ray_counts.begin());
       }

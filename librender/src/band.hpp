@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <optional>
+#include <span>
 
 #include "intersection_tree.hpp"
 #include "layers.hpp"
@@ -42,11 +43,12 @@ struct BandCounts {
 class BandPainter {
  public:
   /// `eye_rays` and `region` are the picture's and its part's, both as large as the supersampling makes them
-  /// in `eye_rays` and not yet in `region`.
+  /// in `eye_rays` and not yet in `region`. `errors`: one for each pixel of the region, or none; without
+  /// supersampling only.
   BandPainter(const scene::Scene& scene, const scene::Plan& plan, const EyeRays& eye_rays,
               const TreeBuilder& builder, const Shader& shader, const LayerPainter& layers,
               texmap::TileCache& tiles, const Region& region, int supersampling,
-              const std::optional<Adaptive>& adaptive);
+              const std::optional<Adaptive>& adaptive, std::span<PixelError> errors);
 
   /// Rows first..end-1 of `image`, which is the region, and of the layers. An image of four channels has the
   /// background left out: colours are multiplied by the share of the pixel that objects cover, which is the
@@ -63,6 +65,7 @@ class BandPainter {
   Region region_;  // of the larger picture
   int supersampling_;
   std::optional<Adaptive> adaptive_;
+  std::span<PixelError> errors_;  // none: not wanted
   bool has_neighbour_rows_;
 };
 

@@ -26,6 +26,16 @@ Shares merged(const Shares& shares, double weight) {
 
 }  // namespace
 
+void RayCounts::add(const RayCounts& other) {
+  eye += other.eye;
+  reflected += other.reflected;
+  refracted += other.refracted;
+  shadow += other.shadow;
+  texcoords += other.texcoords;
+  shares += other.shares;
+  normals += other.normals;
+}
+
 std::size_t TreeRow::bytes() const {
   return roots.capacity() * sizeof(roots[0]) + nodes.capacity() * sizeof(nodes[0]) +
          texcoords.capacity() * sizeof(texcoords[0]) + reflections.capacity() * sizeof(reflections[0]) +
@@ -43,6 +53,7 @@ TreeBuilder::TreeBuilder(const scene::Scene& scene, const scene::Plan& plan, con
       tracer_(tracer),
       maps_(maps),
       needs_texcoords_(plan.needs_part(scene::Part::kTexcoords)),
+      leaves_out_(plan.leaves_out),
       needs_trees_(plan.needs_part(scene::Part::kTrees)),
       needs_refractions_(plan.needs_part(scene::Part::kRefractions)),
       needs_shares_(plan.needs_part(scene::Part::kShares)),
@@ -78,7 +89,7 @@ std::int32_t TreeBuilder::add_node(TreeRow& row, const Hit& hit, const Ray& ray,
   if (needs_refractions_) row.refractions.push_back(kNotTraced);
   if (needs_shares_) row.shares.emplace_back();
   if (needs_texcoords_) {
-    const bool is_textured = material.texture.has_value();
+    const bool is_textured = material.texture.has_value() || !leaves_out_;
     row.texcoords.push_back(is_textured ? texcoord_of(hit) : glm::dvec2(0.0));
     counts.texcoords += is_textured ? 1 : 0;
   }

@@ -75,6 +75,8 @@ struct RayCounts {
   std::uint64_t texcoords = 0;
   std::uint64_t shares = 0;   ///< nodes whose shares were worked out
   std::uint64_t normals = 0;  ///< looked up in normal maps
+
+  void add(const RayCounts& other);
 };
 
 /// Fills rows of trees.
@@ -126,6 +128,7 @@ class TreeBuilder {
   const Tracer& tracer_;
   const NormalMaps* maps_;
   bool needs_texcoords_;
+  bool leaves_out_;  // (u,v) of what has no texture
   bool needs_trees_;
   bool needs_refractions_;
   bool needs_shares_;

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 #include "object_tree.hpp"
+#include "pixel_error.hpp"
+#include "pixel_sampler.hpp"
 #include "sweepkit/render/render.hpp"
 #include "tracer.hpp"
 
@@ -12,6 +14,9 @@ constexpr std::uint64_t kBytesAnObject = sizeof(TracedObject) + sizeof(Box) + 4 
 
 // Linear float RGB, and while a file is encoded the file's samples and the file.
 constexpr std::uint64_t kBytesAPixel = 3 * (4 + 2 + 2);
+// What the error estimate keeps of a pixel; and, where it is refined to reach a goal, its sums.
+constexpr std::uint64_t kBytesAnEstimate = sizeof(PixelError) + 4;
+constexpr std::uint64_t kBytesAGoal = 4 + sizeof(ColorSums);
 
 }  // namespace
 
@@ -36,8 +41,10 @@ std::uint64_t bytes_a_triangle(Accelerator accelerator) {
 std::uint64_t estimate_memory(const scene::MemoryEstimate& scene, int width, int height,
                               const Options& options) {
   const Region region = options.crop.value_or(Region{0, 0, width, height});
+  const std::uint64_t bytes_a_pixel =
+      kBytesAPixel + (options.estimates_error ? kBytesAnEstimate : 0) + (options.goal ? kBytesAGoal : 0);
   return scene.triangles * bytes_a_triangle(options.accelerator) + scene.objects * kBytesAnObject +
-         static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height) * kBytesAPixel;
+         static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height) * bytes_a_pixel;
 }
 
 }  // namespace sweepkit::render

@@ -24,23 +24,22 @@
 namespace sweepkit::render {
 namespace {
 
-constexpr int kFirstRays = 4;
-constexpr double kPriorRays = 2;
-// A ray's texture is averaged over a square, and the rays' places are spread over the pixel already. Squares
-// of half the pixel's area, shared out, blur least and still leave no gap.
-constexpr double kShareOfArea = 0.5;
+constexpr int kFirstRays = kFewestRefiningRays;
 
 }  // namespace
 
 RefinedRows::RefinedRows(const scene::Scene& scene, const TreeBuilder& builder, const Shader& shader,
-                         const EyeRays& eye_rays, const Adaptive& options, int first, std::size_t width)
+                         const EyeRays& eye_rays, const std::optional<Adaptive>& options, bool tells_errors,
+                         int first, std::size_t width)
     : scene_(scene),
       builder_(builder),
       shader_(shader),
       eye_rays_(eye_rays),
-      options_(options),
+      refines_(options.has_value()),
+      options_(options.value_or(Adaptive{})),
       first_(first),
-      eye_ray_counts_(width) {}
+      eye_ray_counts_(width),
+      errors_(tells_errors ? width : 0) {}
 
 void RefinedRows::compare(const TreeRow& trees_a, std::size_t a, Row& row_a, std::size_t i,
                           const TreeRow& trees_b, std::size_t b, Row& row_b, std::size_t j) const {
@@ -77,27 +76,34 @@ std::span<const glm::dvec4> RefinedRows::finish(int y, texmap::FilterThread& fil
                                                 ShadingCounts& shading) {
   std::fill(eye_ray_counts_.begin(), eye_ray_counts_.end(), 1u);
   for (std::size_t i = 1; i + 1 < above_.colors.size(); ++i) {
-    if (above_.is_marked[i] == 0) continue;
-    int count = 0;
-    above_.colors[i] =
-        refine(first_ + static_cast<int>(i), y, above_.variance[i], count, filter, rays, shading);
-    eye_ray_counts_[i] = static_cast<std::uint32_t>(1 + count);
+    if (!errors_.empty()) errors_[i] = {.edge = static_cast<float>(above_.variance[i])};
+    if (!refines_ || above_.is_marked[i] == 0) continue;
+    const Refined refined =
+        refine(first_ + static_cast<int>(i), y, above_.variance[i], filter, rays, shading);
+    above_.colors[i] = refined.color;
+    const auto count = static_cast<std::uint32_t>(refined.rays);
+    eye_ray_counts_[i] = 1 + count;
+    if (!errors_.empty()) {
+      errors_[i].refined = static_cast<float>(refined.squared_error);
+      errors_[i].rays = count;
+    }
     ++counts_.pixels;
-    counts_.rays += static_cast<std::uint64_t>(count);
+    counts_.rays += count;
   }
   return above_.colors;
 }
 
-glm::dvec4 RefinedRows::refine(int x, int y, double expected, int& count, texmap::FilterThread& filter,
-                               RayCounts& rays, ShadingCounts& shading) {
+RefinedRows::Refined RefinedRows::refine(int x, int y, double expected, texmap::FilterThread& filter,
+                                         RayCounts& rays, ShadingCounts& shading) {
   const std::span<const glm::dvec2> pattern = pixel_pattern();
   glm::dvec4 sum(0.0);
   glm::dvec4 squares(0.0);
+  int count = 0;
   for (int n = kFirstRays;; n *= 2) {
     samples_.places.clear();
     for (int i = count; i < n; ++i)
       samples_.places.push_back(glm::dvec2(x, y) + pattern[static_cast<std::size_t>(i)]);
-    const double side = std::sqrt(kShareOfArea / n);
+    const double side = side_of_sample(n);
     builder_.build(samples_, eye_rays_, rays, &filter, side);
     for (std::size_t i = 0; i < samples_.places.size(); ++i) {
       const glm::dvec4 color = shader_.sample(samples_, eye_rays_, i, side, filter, shading).color;
@@ -111,7 +117,7 @@ glm::dvec4 RefinedRows::refine(int x, int y, double expected, int& count, texmap
     const double worth = options_.contrast * options_.contrast / 144;
     // Written so that what is no number ends it.
     if (2 * n > options_.most_rays || !(variance > worth * n * n * std::sqrt(n)))
-      return sum / static_cast<double>(n);
+      return {sum / static_cast<double>(n), n, variance / (n * std::sqrt(n))};
   }
 }
 

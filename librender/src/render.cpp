@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "sweepkit/render/render.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <chrono>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "band.hpp"
 #include "environment.hpp"
 #include "eye_rays.hpp"
 #include "intersection_tree.hpp"
 #include "layers.hpp"
+#include "parallel.hpp"
+#include "picture_refiner.hpp"
+#include "pixel_sampler.hpp"
 #include "shading.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/texmap/image_file.hpp"
@@ -121,6 +120,13 @@ void check(const scene::Scene& scene, const Options& options) {
     if (adaptive->most_rays < kFewestRefiningRays || adaptive->most_rays > kMostRefiningRays)
       throw InputError("most_rays needs 4 to 256, got " + std::to_string(adaptive->most_rays));
   }
+  if (const auto& goal = options.goal) {
+    if (!options.estimates_error) throw InputError("a goal needs estimates_error");
+    if (options.supersampling != 1 || options.adaptive)
+      throw InputError("a goal chooses the antialiasing itself; leave out supersampling and adaptive");
+    if (!(goal->error >= 0) || (goal->error > 0) == static_cast<bool>(goal->seconds_left))
+      throw InputError("a goal needs an error over 0 or seconds_left, one of the two");
+  }
   for (std::size_t i = 0; i < options.layers.size(); ++i) {
     if (std::find(options.layers.begin(), options.layers.begin() + static_cast<std::ptrdiff_t>(i),
                   options.layers[i]) != options.layers.begin() + static_cast<std::ptrdiff_t>(i)) {
@@ -170,21 +176,15 @@ BandCounts paint_bands(const BandPainter& painter, texmap::Image& image, const O
   std::mutex progress;
   int done = 0;
 
-  // More threads than the machine has must be allowed first, or TBB prints a warning and takes fewer.
-  std::optional<tbb::global_control> allowed;
-  if (options.threads > 0)
-    allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& range) {
-      for (int band = range.begin(); band < range.end(); ++band) {
-        counts[static_cast<std::size_t>(band)] = painter.paint(
-            image, band * kBandRows, std::min(image.height, (band + 1) * kBandRows), options.is_cancelled);
-        const std::lock_guard lock(progress);
-        ++done;
-        if (options.on_progress) options.on_progress(static_cast<double>(done) / bands);
-      }
-    });
+  parallel_ranges(options.threads, counts.size(), 1, [&](const tbb::blocked_range<std::size_t>& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const int band = static_cast<int>(i);
+      counts[i] = painter.paint(image, band * kBandRows, std::min(image.height, (band + 1) * kBandRows),
+                                options.is_cancelled);
+      const std::lock_guard lock(progress);
+      ++done;
+      if (options.on_progress) options.on_progress(static_cast<double>(done) / bands);
+    }
   });
   if (options.is_cancelled != nullptr && *options.is_cancelled) throw Cancelled{};
   BandCounts total;
@@ -192,9 +192,32 @@ BandCounts paint_bands(const BandPainter& painter, texmap::Image& image, const O
   return total;
 }
 
+// Checks the error, refines where there is a goal, and counts both.
+void estimate_error(const PixelSampler& sampler, std::vector<PixelError> errors, const Options& options,
+                    Picture& picture, BandCounts& total) {
+  PictureRefiner refiner(sampler, picture.image, std::move(errors));
+  refiner.check();
+  if (options.goal) {
+    refiner.reach(*options.goal);
+    total.rays.add(refiner.counts().rays);
+    total.shading.add(refiner.counts().shading);
+    total.refinement.pixels += refiner.refined_pixels();
+    total.refinement.rays += refiner.refining_rays();
+    const auto rays = std::ranges::find(picture.layers, Layer::kRays, &PictureLayer::layer);
+    if (rays != picture.layers.end()) {
+      std::ranges::transform(
+          refiner.errors(), std::get<std::vector<float>>(rays->image.texels).begin(),
+          [](const PixelError& error) { return static_cast<float>(error.rays > 1 ? 1 + error.rays : 1); });
+    }
+  }
+  picture.error = refiner.estimate();
+  picture.ledger[scene::Part::kErrorEstimate] = {refiner.bytes(), refiner.estimate().checked_pixels};
+}
+
 // Adaptive antialiasing is by a box of one pixel, and so are its textures.
 Filter texture_filter(const Options& options) {
-  return options.adaptive && options.filter == Filter::kAuto ? Filter::kBox : options.filter;
+  return (options.adaptive || options.goal) && options.filter == Filter::kAuto ? Filter::kBox
+                                                                               : options.filter;
 }
 
 }  // namespace
@@ -259,14 +282,22 @@ Picture Renderer::draw(int step) const {
   const TextureLookup textures(scene, plan, tracer, samplers, texture_filter(options), options.footprint);
   const Shader shader(scene, plan, tracer, textures, environment, options.has_alpha);
   const LayerPainter layers(scene, tracer, builder, middle_rays, picture.layers);
+  const bool estimates = step == 1 && plan.needs_part(scene::Part::kErrorEstimate);
+  std::vector<PixelError> errors(
+      estimates ? static_cast<std::size_t>(region.width) * static_cast<std::size_t>(region.height) : 0);
   const BandPainter painter(scene, plan, eye_rays, builder, shader, layers, tiles, region, supersampling,
-                            step > 1 ? std::nullopt : options.adaptive);
+                            step > 1 ? std::nullopt : options.adaptive,
+                            supersampling > 1 ? std::span<PixelError>() : errors);
   BandCounts total = paint_bands(painter, picture.image, options);
+  if (estimates) {
+    const PixelSampler sampler(builder, shader, middle_rays, tiles, region, options);
+    estimate_error(sampler, std::move(errors), options, picture, total);
+  }
   if (step > 1) {
     picture.image = expanded(picture.image, region, wanted, step);
     for (PictureLayer& layer : picture.layers) layer.image = expanded(layer.image, region, wanted, step);
   }
-  statistics.picture_seconds = seconds_since(start);
+  statistics.picture_seconds = seconds_since(start) - (picture.error ? picture.error->seconds : 0);
 
   statistics.eye_rays = total.rays.eye;
   statistics.reflected_rays = total.rays.reflected;
@@ -281,6 +312,11 @@ Picture Renderer::draw(int step) const {
   statistics.textured_nodes = total.shading.lookups.textured;
   statistics.shade_thread_seconds = total.shade_seconds;
   fill_ledger(picture.ledger, total, tracer, scene.has_dimmed_shadows);
+  // Neighbours may be compared for the estimate alone.
+  if (estimates && !plan.needs_part(scene::Part::kRefinement)) {
+    picture.ledger[scene::Part::kErrorEstimate].bytes +=
+        std::exchange(picture.ledger[scene::Part::kRefinement].bytes, 0);
+  }
   for (const PictureLayer& layer : picture.layers) {
     picture.ledger[scene::Part::kLayers].bytes += layer.image.bytes();
     picture.ledger[scene::Part::kLayers].calls += 1;

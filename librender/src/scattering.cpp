@@ -16,6 +16,7 @@
 #include "scattering.hpp"
 
 #include "fresnel.hpp"
+#include "sweepkit/strict_math.hpp"
 
 namespace sweepkit::render {
 

@@ -28,6 +28,15 @@ const glm::dvec3* normal_at(const TreeRow& row, std::int32_t node) {
 
 }  // namespace
 
+void ShadingCounts::add(const ShadingCounts& other) {
+  nodes += other.nodes;
+  smoothed += other.smoothed;
+  environment_lookups += other.environment_lookups;
+  lookups.textured += other.lookups.textured;
+  lookups.filtered += other.lookups.filtered;
+  lookups.differentials += other.lookups.differentials;
+}
+
 TreeColor Shader::seen(const RowWindow& rows, const Neighbourhood& nodes, const EyeSample& eye,
                        texmap::FilterThread& filter, ShadingCounts& counts) const {
   const std::int32_t root = nodes[1][1];

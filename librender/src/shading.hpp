@@ -20,6 +20,8 @@ struct ShadingCounts {
   std::uint64_t smoothed = 0;  ///< of them, lit by what their neighbours see of the lights as well
   std::uint64_t environment_lookups = 0;
   LookupCounts lookups;
+
+  void add(const ShadingCounts& other);
 };
 
 /// What a tree sends to the eye: its colour and, fourth, 1 where the eye ray met an object; and the colour

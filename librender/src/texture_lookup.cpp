@@ -16,6 +16,16 @@
 
 namespace sweepkit::render {
 
+namespace {
+
+std::optional<glm::dvec2> texcoord_beside(const RowWindow& rows, const Neighbourhood& nodes, std::size_t r,
+                                          std::size_t c) {
+  const std::optional<std::size_t> other = on_same_piece(rows, nodes, r, c);
+  return other ? std::optional(rows[r]->texcoords[*other]) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<glm::vec3> TextureLookup::filtered(const RowWindow& rows, const Neighbourhood& nodes,
                                                  double side, const texmap::TextureSampler& sampler,
                                                  texmap::FilterThread& filter) const {
@@ -24,17 +34,13 @@ std::optional<glm::vec3> TextureLookup::filtered(const RowWindow& rows, const Ne
   const glm::dvec2 hit = rows[1]->texcoords[own];
   const sweep::Area& area = tracer_.object(at.hit.object).mesh->areas[at.area];
   const glm::dvec2 period(area.u_period, area.v_period);
-  const auto neighbour = [&](std::size_t r, std::size_t c) -> std::optional<glm::dvec2> {
-    const std::optional<std::size_t> other = on_same_piece(rows, nodes, r, c);
-    return other ? std::optional(rows[r]->texcoords[*other]) : std::nullopt;
-  };
   if (footprint_ == Footprint::kNeighbours) {
     std::array<glm::dvec2, 8> around;
     std::size_t count = 0;
     for (std::size_t r = 0; r < 3; ++r) {
       for (std::size_t c = 0; c < 3; ++c) {
         if (r == 1 && c == 1) continue;
-        const std::optional<glm::dvec2> uv = neighbour(r, c);
+        const std::optional<glm::dvec2> uv = texcoord_beside(rows, nodes, r, c);
         if (!uv) return std::nullopt;
         around[count++] = *uv;
       }
@@ -42,12 +48,30 @@ std::optional<glm::vec3> TextureLookup::filtered(const RowWindow& rows, const Ne
     if (texmap::reads_table(filter_))
       return sampler.over_box(texmap::neighbour_box(hit, around, period), filter);
   }
-  const texmap::Beside beside{neighbour(1, 0), neighbour(1, 2), neighbour(0, 1), neighbour(2, 1)};
-  std::optional<texmap::Footprint> footprint = texmap::footprint_from(hit, beside, period);
+  std::optional<texmap::Footprint> footprint = footprint_beside(rows, nodes);
   if (!footprint) return std::nullopt;
   footprint->dx *= side;
   footprint->dy *= side;
   return sampler.sample(*footprint, filter);
+}
+
+std::optional<texmap::Footprint> TextureLookup::footprint_beside(const RowWindow& rows,
+                                                                 const Neighbourhood& nodes) const {
+  const auto own = static_cast<std::size_t>(nodes[1][1]);
+  const TreeNode& at = rows[1]->nodes[own];
+  const sweep::Area& area = tracer_.object(at.hit.object).mesh->areas[at.area];
+  const auto neighbour = [&](std::size_t r, std::size_t c) { return texcoord_beside(rows, nodes, r, c); };
+  const texmap::Beside beside{neighbour(1, 0), neighbour(1, 2), neighbour(0, 1), neighbour(2, 1)};
+  return texmap::footprint_from(rows[1]->texcoords[own], beside, glm::dvec2(area.u_period, area.v_period));
+}
+
+void TextureLookup::look_in_vain(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+                                 LookupCounts& counts) const {
+  if (looks_round_ && footprint_beside(rows, nodes)) ++counts.filtered;
+  if (!has_differentials_) return;
+  const glm::dvec2 uv = rows[1]->texcoords[static_cast<std::size_t>(nodes[1][1])];
+  const texmap::Footprint footprint = footprint_of(tracer_, path.node->hit, moved_hit(path), uv);
+  if (footprint.uv == uv) ++counts.differentials;
 }
 
 glm::dvec3 TextureLookup::pattern_place(const TreeRow& row, std::size_t node, texmap::ProceduralOn on) const {
@@ -103,7 +127,10 @@ DiffuseColor TextureLookup::diffuse(const RowWindow& rows, const Neighbourhood& 
                                     const scene::Material& material, texmap::FilterThread& filter,
                                     LookupCounts& counts) const {
   const glm::dvec3 base(material.diffuse);
-  if (!material.texture) return {base, base};
+  if (!material.texture) {
+    if (!leaves_out_) look_in_vain(rows, nodes, path, counts);
+    return {base, base};
+  }
   const auto seen_by_filter = [&](const glm::vec3& texel) -> DiffuseColor {
     const glm::dvec3 color = base * glm::dvec3(texel);
     return {color, filter_ == texmap::Filter::kBox ? base : color};

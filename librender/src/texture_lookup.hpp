@@ -44,7 +44,8 @@ class TextureLookup {
         filter_(filter),
         footprint_(footprint),
         looks_round_(plan.needs_part(scene::Part::kFilteredNodes)),
-        has_differentials_(plan.needs_part(scene::Part::kDifferentials)) {}
+        has_differentials_(plan.needs_part(scene::Part::kDifferentials)),
+        leaves_out_(plan.leaves_out) {}
 
   /// Of the node nodes[1][1], which `path` ends with.
   DiffuseColor diffuse(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
@@ -52,6 +53,11 @@ class TextureLookup {
                        LookupCounts& counts) const;
 
  private:
+  // The footprints of a node that needs none, for plans that leave nothing out.
+  void look_in_vain(const RowWindow& rows, const Neighbourhood& nodes, const NodePath& path,
+                    LookupCounts& counts) const;
+  // What the (u,v) of the nodes beside say; none where they do not tell.
+  std::optional<texmap::Footprint> footprint_beside(const RowWindow& rows, const Neighbourhood& nodes) const;
   HitDifferential moved_hit(const NodePath& path) const;
   std::optional<glm::vec3> filtered(const RowWindow& rows, const Neighbourhood& nodes, double side,
                                     const texmap::TextureSampler& sampler,
@@ -69,6 +75,7 @@ class TextureLookup {
   Footprint footprint_;
   bool looks_round_;        // are footprints made from neighbours?
   bool has_differentials_;  // and from the rays' derivatives?
+  bool leaves_out_;
 };
 
 }  // namespace sweepkit::render

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "tracer.hpp"
 
+#include "sweepkit/strict_math.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -30,6 +30,7 @@
 #include "mean_chord.hpp"
 #include "message_text.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/strict_math.hpp"
 #include "sweepkit/sweep/tangents.hpp"
 
 namespace sweepkit::scene {

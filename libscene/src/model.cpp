@@ -12,6 +12,7 @@
 #include "scene_bounds.hpp"
 #include "sweepkit/scene/image_store.hpp"
 #include "sweepkit/scene/turntable.hpp"
+#include "sweepkit/strict_math.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 
 namespace sweepkit::scene {

@@ -56,15 +56,45 @@ Usage usage_of(const Document& document, bool has_normal_maps) {
   return usage;
 }
 
+// Those that a picture may do without, and that leave it as it is. (Tables and tiles are made as a filter
+// reads them, what was not asked for - layers, more rays - would change what is drawn, and how textures that
+// are there are looked up is settled.)
+void switch_on(Plan& plan, const Usage& usage, bool has_light, const Document& document) {
+  const auto row = [&](Part part) {
+    Need& need = plan.needs[static_cast<std::size_t>(part)];
+    if (!need.is_needed) need = {true, need.why + "; nothing is to be left out"};
+  };
+  for (const Part part : {Part::kHalfEdges, Part::kTexcoords, Part::kRows, Part::kTrees, Part::kRefractions,
+                          Part::kShares, Part::kObjectTree}) {
+    row(part);
+  }
+  if (!usage.has_texture) {
+    row(Part::kFilteredNodes);
+    row(Part::kDifferentials);
+  }
+  if (usage.has_mesh_file) row(Part::kLayouts);
+  if (has_light) row(Part::kDimmedShadows);
+  if (!document.textures.empty()) row(Part::kTextures);
+  plan.textures.assign(document.textures.size(), true);
+  plan.leaves_out = false;
+}
+
 }  // namespace
 
 std::string_view part_name(Part part) {
   static constexpr std::array<std::string_view, kPartCount> kNames = {
-      "half-edges",      "(u,v) layouts",      "textures",         "baked textures",  "glass thicknesses",
-      "integral tables", "texture tiles",      "(u,v) at hits",    "filtered nodes",  "ray differentials",
-      "row buffers",     "intersection trees", "refractions",      "shares by angle", "shadow rays",
-      "dimmed shadows",  "shadow edges",       "background image", "supersampling",   "refinement",
-      "layers",          "tree over objects",  "normal maps"};
+      "half-edges",        "(u,v) layouts",
+      "textures",          "baked textures",
+      "glass thicknesses", "integral tables",
+      "texture tiles",     "(u,v) at hits",
+      "filtered nodes",    "ray differentials",
+      "row buffers",       "intersection trees",
+      "refractions",       "shares by angle",
+      "shadow rays",       "dimmed shadows",
+      "shadow edges",      "background image",
+      "supersampling",     "refinement",
+      "error estimate",    "layers",
+      "tree over objects", "normal maps"};
   return kNames[static_cast<std::size_t>(part)];
 }
 
@@ -124,8 +154,9 @@ Plan plan(const Document& document, const Request& request) {
   picture_row(Part::kTexcoords, usage.reads_uv,
               usage.reads_uv ? "textures are looked up by (u,v)" : "no texture of colours reads (u,v)");
   const bool has_neighbours = has_footprints && request.has_neighbours;
-  // The rays that refine a pixel have no neighbours to look at.
-  const bool has_differentials = has_footprints && (request.has_differentials || request.is_refined);
+  // The rays that refine or check a pixel have no neighbours to look at.
+  const bool has_differentials =
+      has_footprints && (request.has_differentials || request.is_refined || request.estimates_error);
   const bool has_shadow_edges = has_light && request.has_smooth_shadows;
   const std::string no_footprints =
       usage.has_color_image || usage.has_procedural ? filter : "no texture of colours is used";
@@ -175,6 +206,8 @@ Plan plan(const Document& document, const Request& request) {
               request.is_supersampled ? "it was asked for" : "it was not asked for");
   picture_row(Part::kRefinement, request.is_refined,
               request.is_refined ? "it was asked for" : "it was not asked for");
+  picture_row(Part::kErrorEstimate, request.estimates_error,
+              request.estimates_error ? "it was asked for" : "it was not asked for");
   picture_row(Part::kLayers, request.has_layers,
               request.has_layers ? "they were asked for" : "they were not asked for");
   const bool has_several =
@@ -194,10 +227,11 @@ Plan plan(const Document& document, const Request& request) {
   plan.texture_memory = request.texture_memory;
   if (!can_hold_textures) usage.textures.assign(document.textures.size(), false);
   plan.textures = usage.textures;
+  if (is_picture && !request.leaves_out) switch_on(plan, usage, has_light, document);
   plan.sampled.assign(document.textures.size(), false);
   for (std::size_t i = 0; i < document.textures.size(); ++i) {
     plan.sampled[i] =
-        is_picture && usage.textures[i] && std::holds_alternative<ImageEntry>(document.textures[i].source);
+        is_picture && plan.textures[i] && std::holds_alternative<ImageEntry>(document.textures[i].source);
   }
   return plan;
 }

@@ -16,6 +16,7 @@
 #include "gauss_legendre.hpp"
 #include "number_text.hpp"
 #include "sweepkit/error.hpp"
+#include "sweepkit/strict_math.hpp"
 
 namespace sweepkit::sweep {
 namespace {

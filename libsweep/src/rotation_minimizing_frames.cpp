@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "segment.hpp"
+#include "sweepkit/strict_math.hpp"
 
 namespace sweepkit::sweep {
 namespace {
@@ -119,7 +120,10 @@ Frame first_frame(const glm::dvec3& tangent, const glm::dvec3& up) {
     binormal = perpendicular_part(direction, tangent);
     if (glm::length(binormal) >= 1e-6) break;
   }
+  // What is short has lost digits against the tangent; a second projection gives them back [Giraud05].
+  const bool is_short = glm::length(binormal) < 0.5;
   binormal = glm::normalize(binormal);
+  if (is_short) binormal = glm::normalize(perpendicular_part(binormal, tangent));
   return {glm::cross(binormal, tangent), binormal, tangent};
 }
 

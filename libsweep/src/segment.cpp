@@ -110,6 +110,16 @@ Vector<D> tangent_of(const Segment<D>& segment, double t, const CurvePoint<D>& h
   const bool is_backward = t == 1 || glm::dot(here.first, here.second) < 0;
   const double bend = glm::length(here.second);
   if (bend > 1e-6 * scale) return (is_backward ? -here.second : here.second) / bend;
+  if (const auto* bezier = std::get_if<BezierSegment<D>>(&segment); bezier && (t == 0 || t == 1)) {
+    // Where control points are repeated the limit is towards the first that is not.
+    const std::size_t last = bezier->control.size() - 1;
+    for (std::size_t k = 1; k <= last; ++k) {
+      const Vector<D> chord = t == 0 ? bezier->control[k] - bezier->control[0]
+                                     : bezier->control[last] - bezier->control[last - k];
+      const double length = glm::length(chord);
+      if (length > 1e-12 * scale) return chord / length;
+    }
+  }
   double step = 1e-5;
   for (int tries = 0; tries < 9; ++tries, step *= 4) {  // up to 0.66
     const double other = is_backward ? std::max(0.0, t - step) : std::min(1.0, t + step);

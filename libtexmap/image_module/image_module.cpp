@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
 //
-// The only file that knows OpenImageIO. It is a module of its own, loaded when an image is first read or
-// written: linking OpenImageIO brings in 261 shared libraries and costs 0.3 s at every start of a program.
+// The only file of libtexmap that knows OpenImageIO. It is a module of its own, loaded when an image is first
+// read or written: linking OpenImageIO brings in 261 shared libraries and costs 0.3 s at every start of a
+// program.
 
 #include "image_module.hpp"
 

@@ -13,7 +13,7 @@
 
 namespace sweepkit::texmap {
 
-/// The border between libtexmap and the image module (the one place that knows OpenImageIO). Both sides are
+/// The border between libtexmap and the image module (its one place that knows OpenImageIO). Both sides are
 /// built together; errors cross it as text, not as exceptions. A change of this struct changes the symbol's
 /// name.
 struct ModuleImage {

@@ -37,7 +37,7 @@ struct Overlap {
   float step;   // of `at`, from a texel to the next of a row
   double step_right;
   double step_down;     // from a row to the next
-  double texels_right;  // 1 over the step to the right; no number where that is 0
+  double texels_right;  // 1 over the step to the right; 0 where that is 0
 
   template <class Number>
   Number of(Number at) const {
@@ -61,7 +61,7 @@ Overlap overlap_for(double step_right, double step_down) {
           static_cast<float>(step_right),
           step_right,
           step_down,
-          1 / step_right};
+          step_right != 0 ? 1 / step_right : 0};
 }
 
 // Texels first..last of a row, the left one `s` and `t` away.
@@ -237,15 +237,14 @@ std::optional<glm::vec3> parallelogram_average(const Pyramid& pyramid, Wrap wrap
   const glm::dvec2 flip(size.x, -size.y);
   glm::dvec2 e = footprint.dx * flip;
   glm::dvec2 f = footprint.dy * flip;
-  const double area = std::abs(e.x * f.y - e.y * f.x);
-  const double longer = std::sqrt(std::max(glm::dot(e, e), glm::dot(f, f)));
-  const double width = area / longer;  // between the longer sides
   const glm::dvec2 extent = glm::abs(e) + glm::abs(f);
-  const glm::dvec2 textures = extent / size;
-  // Written so that what is no number fails.
-  if (!(longer >= 1 && width >= kNarrowest && std::max(textures.x, textures.y) <= kMostTextures &&
-        std::isfinite(footprint.uv.x + footprint.uv.y)))
+  if (!std::isfinite(extent.x + extent.y) || !std::isfinite(footprint.uv.x + footprint.uv.y))
     return std::nullopt;
+  const double longer = std::sqrt(std::max(glm::dot(e, e), glm::dot(f, f)));
+  const glm::dvec2 textures = extent / size;
+  if (longer < 1 || std::max(textures.x, textures.y) > kMostTextures) return std::nullopt;
+  const double width = std::abs(e.x * f.y - e.y * f.x) / longer;  // between the longer sides
+  if (width < kNarrowest) return std::nullopt;
   const glm::dvec2 middle = near_origin(glm::dvec2(footprint.uv.x, 1 - footprint.uv.y), wrap) * size;
   Float4 sum;
   if (std::min(extent.x, extent.y) < kLeastWidth) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "sweepkit/texmap/triangle_maps.hpp"
 
+#include "sweepkit/strict_math.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -231,12 +231,14 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"NoCommand",
              "",
-             "needs a command (generate, render, assemble, bake, info, check, view, schema); see sweepkit "
+             "needs a command (generate, render, assemble, bake, info, check, report, view, schema); see "
+             "sweepkit "
              "--help",
              {}},
         Case{"UnknownCommand",
              "",
-             "needs a command (generate, render, assemble, bake, info, check, view, schema), got \"draw\"; "
+             "needs a command (generate, render, assemble, bake, info, check, report, view, schema), got "
+             "\"draw\"; "
              "see "
              "sweepkit "
              "--help",

@@ -35,6 +35,35 @@ TEST_P(PictureOption, IsRefusedInOneLineAndLeavesNoFile) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
+    OfTheGoal, PictureOption,
+    testing::Values(
+        Refusal{"NoError",
+                {"-o", "p.png", "--error", "0"},
+                "--error: Value 0 not in range 0.000001 to 1.000000; see sweepkit render --help"},
+        Refusal{"NoTime",
+                {"-o", "p.png", "--time", "-1"},
+                "--time: Value -1 not in range 0.001000 to 1000000.000000; see sweepkit render --help"},
+        Refusal{"Both",
+                {"-o", "p.png", "--error", "0.1", "--time", "1"},
+                "--error: cannot be reached within --time; leave out one of the two"},
+        Refusal{"ErrorAndAntialias",
+                {"-o", "p.png", "--error", "0.1", "--antialias", "3x3"},
+                "--error: chooses the antialiasing itself; leave out --antialias"},
+        Refusal{"TimeAndAntialias",
+                {"-o", "p.png", "--time", "1", "--antialias", "adaptive"},
+                "--time: chooses the antialiasing itself; leave out --antialias"},
+        Refusal{"ErrorOfATile",
+                {"-o", "p.png", "--error", "0.1", "--tile", "1/2"},
+                "--error: is for the whole picture, which a part cannot judge; leave out --tile"},
+        Refusal{"ErrorByStages",
+                {"-o", "p.png", "--error", "0.1", "--progressive"},
+                "--error: refines a picture before it is written; leave out --progressive"},
+        Refusal{"TimeOfFrames",
+                {"-o", "p_{frame}.png", "--time", "1", "--frames", "1-2"},
+                "--time: is for one picture; leave out --frames"}),
+    [](const auto& test) { return test.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
     OfTheFile, PictureOption,
     testing::Values(
         Refusal{"TwelveBits",

@@ -13,17 +13,36 @@
 
 namespace sweepkit::render::test {
 
-inline scene::Plan plan_for(const scene::Document& document, const Options& options) {
+inline scene::Plan plan_for(const scene::Document& document, const Options& options, bool leaves_out = true) {
   return scene::plan(
       document, {.product = scene::Request::Product::kPicture,
                  .filter = options.filter,
                  .is_supersampled = options.supersampling > 1,
-                 .is_refined = options.adaptive.has_value(),
+                 .is_refined = options.adaptive.has_value() || options.goal.has_value(),
+                 .estimates_error = options.estimates_error,
                  .has_smooth_shadows = options.shadows == Shadows::kSmooth,
                  .has_layers = !options.layers.empty(),
                  .shows_texcoords = std::ranges::find(options.layers, Layer::kUv) != options.layers.end(),
                  .has_neighbours = options.footprint != Footprint::kDifferentials,
-                 .has_differentials = options.footprint != Footprint::kNeighbours});
+                 .has_differentials = options.footprint != Footprint::kNeighbours,
+                 .leaves_out = leaves_out});
+}
+
+/// A scene drawn from the start, with all that it cost.
+struct Drawn {
+  scene::Plan plan;
+  Picture picture;
+  scene::Ledger ledger;
+};
+
+inline Drawn draw(const std::string& text, const Options& options, bool leaves_out = true) {
+  const scene::Document document = scene::parse_document(text, "test.json");
+  Drawn drawn{.plan = plan_for(document, options, leaves_out)};
+  const scene::Model model = scene::build(document, drawn.plan);
+  drawn.picture = render(model.scene, drawn.plan, options);
+  drawn.ledger = model.ledger;
+  drawn.ledger.add(drawn.picture.ledger);
+  return drawn;
 }
 
 /// A scene from text, ready to be drawn again and again; its parts may be changed in between.

@@ -21,11 +21,12 @@ TEST(LeavingOut, APlainSceneCostsNoTextureTableRowTreeOrObjectTree) {
     "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
   const Picture picture = stage.draw({.shadows = Shadows::kHard});
   for (const Part part :
-       {Part::kHalfEdges,     Part::kTextures,    Part::kBakes,         Part::kTables,
-        Part::kTiles,         Part::kTexcoords,   Part::kFilteredNodes, Part::kDifferentials,
-        Part::kRows,          Part::kTrees,       Part::kRefractions,   Part::kShares,
-        Part::kDimmedShadows, Part::kShadowEdges, Part::kEnvironment,   Part::kSupersampling,
-        Part::kRefinement,    Part::kLayers,      Part::kObjectTree,    Part::kNormalMaps}) {
+       {Part::kHalfEdges,     Part::kTextures,      Part::kBakes,         Part::kTables,
+        Part::kTiles,         Part::kTexcoords,     Part::kFilteredNodes, Part::kDifferentials,
+        Part::kRows,          Part::kTrees,         Part::kRefractions,   Part::kShares,
+        Part::kDimmedShadows, Part::kShadowEdges,   Part::kEnvironment,   Part::kSupersampling,
+        Part::kRefinement,    Part::kErrorEstimate, Part::kLayers,        Part::kObjectTree,
+        Part::kNormalMaps}) {
     expect_nothing(picture.ledger, part);
     expect_nothing(stage.model.ledger, part);
   }
@@ -104,18 +105,52 @@ TEST(LeavingOut, RefinementCostsWhatIsRefined) {
   expect_nothing(picture.ledger, Part::kSupersampling);
 }
 
-TEST(LeavingOut, DoesNotChangeThePicture) {
-  // The same scene with everything that can be left out switched on.
-  const Stage stage(
-      R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 48, "height": 48},
-    "objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}]})");
-  scene::Plan everything = test::plan_for(stage.document, {});
-  for (const Part part : {Part::kTexcoords, Part::kFilteredNodes, Part::kRows, Part::kTrees,
-                          Part::kRefractions, Part::kShares, Part::kObjectTree}) {
-    everything.needs[static_cast<std::size_t>(part)].is_needed = true;
+// As scenes that need nothing of a kind: the same picture with it all switched on, and what it costs shows
+// up.
+class SwitchedOn : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(SwitchedOn, IsTheSamePictureAtAPrice) {
+  const std::string scene =
+      std::string(
+          R"({"sweepkit": 1, "camera": {"eye": [0, 2, 5], "target": [0, 0, 0], "width": 48, "height": 48}, )") +
+      GetParam().second + "}";
+  for (const Options& options :
+       {Options{}, Options{.filter = Filter::kPoint, .shadows = Shadows::kHard},
+        Options{.footprint = Footprint::kDifferentials}, Options{.footprint = Footprint::kNeighbours},
+        Options{.adaptive = Adaptive{}}, Options{.supersampling = 2}}) {
+    const test::Drawn lean = test::draw(scene, options, true);
+    const test::Drawn full = test::draw(scene, options, false);
+    EXPECT_EQ(test::texels(lean.picture), test::texels(full.picture));
+    for (std::size_t i = 0; i < scene::kPartCount; ++i) {
+      const auto part = static_cast<Part>(i);
+      EXPECT_GE(full.ledger[part].bytes, lean.ledger[part].bytes) << scene::part_name(part);
+      if (!full.plan.needs_part(part) || lean.plan.needs_part(part)) continue;
+      const scene::Cost& price = full.ledger[part];
+      // Lists that stay empty are no call, but their memory is.
+      EXPECT_GT(price.bytes + price.calls, 0u) << scene::part_name(part);
+      EXPECT_EQ(lean.ledger[part].bytes + lean.ledger[part].calls, 0u) << scene::part_name(part);
+    }
   }
-  EXPECT_EQ(test::texels(stage.draw()), test::texels(render(stage.model.scene, everything, {})));
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, SwitchedOn,
+    testing::Values(
+        std::pair(
+            "Plain",
+            R"("objects": [{"name": "torus", "sweep": {"contour": {"circle": {"radius": 0.5}}, "trajectory": {"circle": {"radius": 1.2}}}}])"),
+        std::pair(
+            "Textured",
+            R"("textures": {"t": {"procedural": "checker"}, "spare": {"procedural": "wood"}}, "materials": {"m": {"texture": "t"}},
+          "objects": [{"name": "a", "material": "m", "plane": {"size": [4, 4]}}, {"name": "b", "translate": [0, 1, 0], "plane": {"size": [1, 1]}}])"),
+        std::pair("Mirror", R"("materials": {"m": {"reflect": 0.5}},
+          "objects": [{"name": "a", "material": "m", "plane": {"size": [4, 4]}}, {"name": "b", "translate": [0, 1, 0], "plane": {"size": [1, 1]}}])"),
+        std::pair("Glass",
+                  R"("materials": {"m": {"transmit": 0.8, "ior": 1.5, "fresnel": "exact", "reflect": 1}},
+          "objects": [{"name": "a", "material": "m", "revolve": {"contour": {"arc": {"radius": 1, "from_deg": -90, "to_deg": 90}}}}, {"name": "b", "translate": [0, -1, 0], "plane": {"size": [4, 4]}}])"),
+        std::pair("Ambient",
+                  R"("ambient": [1, 1, 1], "objects": [{"name": "p", "plane": {"size": [1, 1]}}])")),
+    [](const auto& scene) { return std::string(scene.param.first); });
 
 }  // namespace
 }  // namespace sweepkit::render

@@ -194,6 +194,20 @@ TEST(Plan, SmoothShadowsNeedALightAndTheRowsAboveAndBelow) {
   EXPECT_EQ(needed(scene_of("", R"("lights": [{"point": [0, 1, 0]}])"), request), std::set<Part>{});
 }
 
+TEST(Plan, AnErrorEstimateIsThereWhenAskedForAndFiltersByDifferentials) {
+  Request request{.product = Product::kPicture,
+                  .filter = texmap::Filter::kEwa,
+                  .estimates_error = true,
+                  .has_neighbours = true,
+                  .has_differentials = false};
+  EXPECT_EQ(needed(scene_of(""), request), std::set{Part::kErrorEstimate});
+  EXPECT_EQ(needed(scene_of(R"("texture": "image")"), request),
+            (std::set{Part::kTextures, Part::kTiles, Part::kTexcoords, Part::kFilteredNodes,
+                      Part::kDifferentials, Part::kRows, Part::kErrorEstimate}));
+  request.product = Product::kMeshFile;
+  EXPECT_EQ(needed(scene_of(""), request), std::set<Part>{});
+}
+
 TEST(Plan, RefinementIsThereWhenAskedForAndFiltersByDifferentials) {
   Request request{.product = Product::kPicture,
                   .filter = texmap::Filter::kEwa,

@@ -139,6 +139,18 @@ TEST(Curve, TangentIsFiniteWhereControlPointsCoincide) {
   for (const double t : {0.0, 1.0}) EXPECT_LT(glm::length(flat.tangent({0, t}) - diagonal), 1e-9) << t;
 }
 
+TEST(Curve, TangentWherePointsAreRepeatedIsTowardsTheFirstThatIsNot) {
+  for (const std::size_t count : {2, 3, 30}) {
+    std::vector<glm::dvec2> control(count, {0.5, 0.25});
+    control.insert(control.end(), {{1.5, 2.25}, {4, -1}});
+    const glm::dvec2 exact = glm::normalize(glm::dvec2(1, 2));
+    // Exact differences, a length and a quotient.
+    EXPECT_LT(glm::distance(tangent<2>(BezierSegment<2>{control}, 0), exact), 5e-16) << count;
+    std::reverse(control.begin(), control.end());
+    EXPECT_LT(glm::distance(tangent<2>(BezierSegment<2>{control}, 1), -exact), 5e-16) << count;
+  }
+}
+
 TEST(Curve, TangentAtACuspIsTheLimitFromEitherSide) {
   // (t^2, t^3) cut at its cusp: it arrives along -x and leaves along +x.
   const Curve2 cusp = joined_bezier_curve<2>(

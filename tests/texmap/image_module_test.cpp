@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 
+#include "sweepkit/texmap/file_image.hpp"
 #include "sweepkit/texmap/image_file.hpp"
 #include "sweepkit/texmap/texture.hpp"
 #include "sweepkit/texmap/texture_sampler.hpp"
@@ -102,6 +103,18 @@ TEST_F(ImageModule, TellsWhereItWasLookedForIfItIsMissing) {
   const bool is_loaded_early = is_image_module_loaded();
   encode_image(image, ImageFormat::kPng);
   std::exit(!is_loaded_early && is_image_module_loaded() ? 0 : 1);
+}
+
+// Ends the process: 0 if the module is there without an image.
+[[noreturn]] void load_by_hand() {
+  const bool is_loaded_early = is_image_module_loaded();
+  load_image_module();
+  std::exit(!is_loaded_early && is_image_module_loaded() ? 0 : 1);
+}
+
+TEST(ImageModuleDeathTest, IsLoadedBeforeAnyImageWhereThatIsAskedFor) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(load_by_hand(), testing::ExitedWithCode(0), "");
 }
 
 TEST(ImageModuleDeathTest, IsNotLoadedBeforeAnImageIsReadOrWritten) {

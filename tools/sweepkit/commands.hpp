@@ -19,6 +19,7 @@ void add_assemble(CLI::App& app);
 void add_bake(CLI::App& app);
 void add_info(CLI::App& app);
 void add_check(CLI::App& app);
+void add_report(CLI::App& app);
 void add_view(CLI::App& app);
 void add_schema(CLI::App& app);
 

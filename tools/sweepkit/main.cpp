@@ -60,6 +60,7 @@ int run(int argc, char** argv) {
   sweepkit::tools::add_bake(app);
   sweepkit::tools::add_info(app);
   sweepkit::tools::add_check(app);
+  sweepkit::tools::add_report(app);
   sweepkit::tools::add_view(app);
   sweepkit::tools::add_schema(app);
   try {

@@ -41,7 +41,10 @@ struct Render {
   std::string frames;
   int frames_per_turn = 0;
   bool skips_existing = false;
+  bool leaves_nothing_out = false;
   bool is_progressive = false;
+  double most_error = 0;    // linear RMSE; 0: not asked for
+  double most_seconds = 0;  // 0: not asked for
   std::string statistics;   // a file
   std::string key_options;  // the options that change the picture, in one text
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdio>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -18,6 +20,7 @@
 #include "sweepkit/scene/model.hpp"
 #include "sweepkit/scene/output_file.hpp"
 #include "sweepkit/scene/turntable.hpp"
+#include "sweepkit/texmap/file_image.hpp"
 
 namespace sweepkit::tools {
 namespace {
@@ -26,6 +29,25 @@ using Clock = std::chrono::steady_clock;
 
 // The pixels each way that share a ray in the stages of --progressive, before the picture itself.
 constexpr std::array<int, 3> kPreviewSteps = {8, 4, 2};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// What is left of --time: less a little for what cannot be foreseen, and for encoding and writing the file,
+// which takes about so long for a pixel.
+std::function<double()> seconds_left(double seconds, Clock::time_point start, int width, int height) {
+  constexpr double kSecondsAPixel = 2e-7;
+  const double most = 0.97 * seconds - kSecondsAPixel * width * height;
+  return [=] { return most - seconds_since(start); };
+}
+
+// "0.0123"
+std::string error_text(double error) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", error);
+  return text;
+}
 
 scene::Document read_document(const Render& command, const scene::SceneFile& scene) {
   scene::Document document = scene.document();
@@ -84,13 +106,15 @@ scene::Plan make_plan(const Render& command, const scene::Document& document) {
                                 .filter = options.filter,
                                 .texture_memory = command.texture_megabytes << 20,
                                 .is_supersampled = options.supersampling > 1,
-                                .is_refined = options.adaptive.has_value(),
+                                .is_refined = options.adaptive.has_value() || options.goal.has_value(),
+                                .estimates_error = options.estimates_error,
                                 .has_smooth_shadows = options.shadows == render::Shadows::kSmooth,
                                 .has_layers = !options.layers.empty(),
                                 .shows_texcoords = std::ranges::find(options.layers, render::Layer::kUv) !=
                                                    options.layers.end(),
                                 .has_neighbours = options.footprint != render::Footprint::kDifferentials,
-                                .has_differentials = options.footprint != render::Footprint::kNeighbours});
+                                .has_differentials = options.footprint != render::Footprint::kNeighbours,
+                                .leaves_out = !command.leaves_nothing_out});
 }
 
 // Gives the jobs their marks, and takes those out whose files are there already with the same.
@@ -114,8 +138,9 @@ void mark_jobs(const Render& command, RenderRequest& request, const scene::Scene
 // Draws the jobs one after another and writes each as soon as it is whole.
 class PictureWriter {
  public:
-  PictureWriter(const Render& command, const RenderRequest& request, const scene::Plan& plan, Phases& phases)
-      : command_(command), request_(request), plan_(plan), phases_(phases) {}
+  PictureWriter(const Render& command, const RenderRequest& request, const scene::Plan& plan, Phases& phases,
+                Clock::time_point start)
+      : command_(command), request_(request), plan_(plan), phases_(phases), start_(start) {}
 
   void draw(scene::Model& model, const scene::Document& document) {
     if (!request_.jobs.empty()) {
@@ -203,7 +228,7 @@ class PictureWriter {
   void add_statistics(scene::StagedFiles& files, const scene::Ledger& built) {
     RenderTotal total = total_;
     total.ledger.add(built);
-    statistics_ = to_json(statistics_report(total, phases_, plan_));
+    statistics_ = to_json(statistics_report(total, phases_, plan_, seconds_since(start_)));
     files.add({command_.statistics, std::as_bytes(std::span(statistics_))});
   }
 
@@ -211,6 +236,7 @@ class PictureWriter {
   const RenderRequest& request_;
   const scene::Plan& plan_;
   Phases& phases_;
+  Clock::time_point start_;
   Progress* progress_ = nullptr;  // while pictures are drawn
   RenderTotal total_;
   std::string statistics_;
@@ -231,6 +257,10 @@ void draw(Render& command) {
     command.options.crop = part;
     request.encoding.window = {part.x, part.y, document.width, document.height};
   }
+  if (command.most_seconds > 0 && !output.file.empty()) {
+    command.options.goal->seconds_left = seconds_left(command.most_seconds, start, part.width, part.height);
+    texmap::load_image_module();
+  }
   const scene::Plan plan = make_plan(command, document);
   if (output.file.empty()) {
     print({{}, {plan_table(plan, {})}}, output);
@@ -241,7 +271,7 @@ void draw(Render& command) {
     mark_jobs(command, request, scene, {.width = document.width, .height = document.height, .area = whole});
   }
   phases.end(Phase::kReading);
-  PictureWriter writer(command, request, plan, phases);
+  PictureWriter writer(command, request, plan, phases, start);
   scene::Model model;
   if (!request.jobs.empty()) {
     model = build(command, document, plan);
@@ -256,17 +286,30 @@ void draw(Render& command) {
     ledger.add(writer.total().ledger);
     print({{}, {plan_table(plan, ledger)}}, output);
   }
-  const std::string seconds = duration_text(std::chrono::duration<double>(Clock::now() - start).count());
+  const std::string seconds = duration_text(seconds_since(start));
+  const RenderTotal& total = writer.total();
+  const std::string error = total.estimates > 0 ? ", error about " + error_text(total.error.rmse) : "";
   const std::string name = output.is_standard() ? "standard output" : output.file;
   const std::string pixels = std::to_string(part.width) + " x " + std::to_string(part.height) + " pixels";
   const std::size_t drawn = request.jobs.size();
   if (!command.frames.empty()) {
     say(name + ": " + std::to_string(drawn) + (drawn == 1 ? " frame" : " frames") + " of " + pixels +
             (drawn < wanted ? ", " + std::to_string(wanted - drawn) + " there already," : "") + " in " +
-            seconds,
+            seconds + error,
         output);
   } else {
-    say(name + ": " + (drawn > 0 ? pixels + " in " + seconds : "is there already"), output);
+    say(name + ": " + (drawn > 0 ? pixels + " in " + seconds + error : "is there already"), output);
+  }
+  if (command.most_error > 0 && total.error.rmse > 1.1 * command.most_error) {
+    say(name + ": --error " + error_text(command.most_error) + " takes more than " +
+            std::to_string(render::kMostRefiningRays) + " rays a pixel, the most there are",
+        output);
+  }
+  if (command.most_seconds > 0 && drawn > 0 && total.statistics.refining_rays == 0 &&
+      seconds_since(start) > 1.2 * command.most_seconds) {
+    say(name + ": --time " + error_text(command.most_seconds) +
+            " s is less than the picture takes by one ray a pixel",
+        output);
   }
 }
 

@@ -100,6 +100,18 @@ void add_method_options(CLI::App& sub, Render& command) {
       ->type_name("N")
       ->capture_default_str()
       ->check(CLI::Range(render::kFewestRefiningRays, render::kMostRefiningRays));
+  sub.add_option("--error", command.most_error,
+                 "Choose the antialiasing: one eye ray a pixel, and more where they help most, until the "
+                 "picture's error, estimated, is at most this: root mean square of R, G and B, linear light "
+                 "from 0 to 1")
+      ->type_name("E")
+      ->check(CLI::Range(1e-6, 1.0));
+  sub.add_option(
+         "--time", command.most_seconds,
+         "Choose the antialiasing: the same, as far as it goes in so many seconds of the program, all "
+         "told. The picture is another from run to run")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1e-3, 1e6));
   sub.add_option(
          "--shadows", command.shadows,
          "What a light without a radius throws: hard edges, or smooth ones, by averaging its shadow rays "
@@ -141,10 +153,16 @@ void add_render_options(CLI::App& sub, Render& command) {
   add_picture_options(sub, command);
   add_part_options(sub, command);
   add_method_options(sub, command);
-  sub.add_option("--stats", command.statistics,
-                 "Write counters, times and memory by phase, and the plan as JSON")
+  sub.add_option(
+         "--stats", command.statistics,
+         "Write counters, times and memory by phase, the plan, and an estimate of the picture's error as "
+         "JSON")
       ->type_name("FILE");
   add_explain(sub, command.output);
+  sub.add_flag(
+      "--no-leave-out", command.leaves_nothing_out,
+      "Switch on every part that the picture can do without; it is the same, and --explain and --stats tell "
+      "what leaving out saves");
   add_json(sub, command.output, "Print the table of --explain as JSON")->needs(sub.get_option("--explain"));
   add_quiet(sub, command.output);
   sub.footer(
@@ -159,10 +177,10 @@ void add_render_options(CLI::App& sub, Render& command) {
 }
 
 std::string options_of_picture(const CLI::App& sub) {
-  static constexpr std::array<std::string_view, 16> kNotOfThePicture = {
-      "SCENE",         "--set",  "-o",        "--quiet",         "--explain",         "--json",
-      "--stats",       "--crop", "--tile",    "--frames",        "--frames-per-turn", "--skip-existing",
-      "--progressive", "--help", "--threads", "--texture-memory"};
+  static constexpr std::array<std::string_view, 17> kNotOfThePicture = {
+      "SCENE",         "--set",  "-o",        "--quiet",          "--explain",         "--json",
+      "--stats",       "--crop", "--tile",    "--frames",         "--frames-per-turn", "--skip-existing",
+      "--progressive", "--help", "--threads", "--texture-memory", "--no-leave-out"};
   std::string text = "sweepkit " SWEEPKIT_VERSION;
   for (const CLI::Option* option : sub.get_options()) {
     if (std::ranges::find(kNotOfThePicture, option->get_name()) != kNotOfThePicture.end()) continue;

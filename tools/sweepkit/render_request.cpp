@@ -31,6 +31,8 @@ void read_names(Render& command) {
   }
   options.supersampling = command.antialias == "3x3" ? 3 : 1;
   if (command.antialias == "adaptive") options.adaptive = command.adaptive;
+  if (command.most_error > 0 || command.most_seconds > 0) options.goal = render::Goal{command.most_error, {}};
+  options.estimates_error = options.goal || !command.statistics.empty();
   options.shadows = command.shadows == "hard" ? render::Shadows::kHard : render::Shadows::kSmooth;
   for (const std::string& name : command.layers) {
     for (std::size_t i = 0; i < render::kLayerCount; ++i) {
@@ -72,7 +74,20 @@ void check_format(const Render& command, ImageFormat format) {
   }
 }
 
+void check_goal(const Render& command) {
+  if (command.most_error == 0 && command.most_seconds == 0) return;
+  const std::string name = command.most_error > 0 ? "--error" : "--time";
+  const auto refuse = [&](const char* why) { throw InputError({.file = name}, why); };
+  if (command.most_error > 0 && command.most_seconds > 0)
+    refuse("cannot be reached within --time; leave out one of the two");
+  if (command.antialias != "off") refuse("chooses the antialiasing itself; leave out --antialias");
+  if (!command.tile.empty()) refuse("is for the whole picture, which a part cannot judge; leave out --tile");
+  if (command.is_progressive) refuse("refines a picture before it is written; leave out --progressive");
+  if (command.most_seconds > 0 && !command.frames.empty()) refuse("is for one picture; leave out --frames");
+}
+
 void check_ways(const Render& command) {
+  check_goal(command);
   if (!command.is_progressive) return;
   if (!command.frames.empty())
     throw InputError({.file = "--progressive"}, "is for one picture; leave out --frames");

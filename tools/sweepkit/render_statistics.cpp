@@ -3,6 +3,7 @@
 #include "render_statistics.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "plan_table.hpp"
 
@@ -30,9 +31,18 @@ void RenderTotal::add(const render::Picture& picture) {
     cost.bytes = std::max(cost.bytes, picture.ledger.costs[i].bytes);
   }
   ++pictures;
+  if (!picture.error) return;
+  const double squares =
+      static_cast<double>(estimates) * error.rmse * error.rmse + picture.error->rmse * picture.error->rmse;
+  ++estimates;
+  error.rmse = std::sqrt(squares / static_cast<double>(estimates));
+  error.checked_pixels += picture.error->checked_pixels;
+  error.checking_rays += picture.error->checking_rays;
+  error.seconds += picture.error->seconds;
 }
 
-Report statistics_report(const RenderTotal& total, const Phases& phases, const scene::Plan& plan) {
+Report statistics_report(const RenderTotal& total, const Phases& phases, const scene::Plan& plan,
+                         double run_seconds) {
   const render::Statistics& statistics = total.statistics;
   return {{{"pictures", total.pictures},
            {"eye_rays", statistics.eye_rays},
@@ -54,7 +64,12 @@ Report statistics_report(const RenderTotal& total, const Phases& phases, const s
            {"voxels", statistics.voxels},
            {"median_triangles", std::uint64_t{statistics.median_triangles}},
            {"p99_triangles", std::uint64_t{statistics.p99_triangles}},
-           {"max_triangles", std::uint64_t{statistics.max_triangles}}},
+           {"max_triangles", std::uint64_t{statistics.max_triangles}},
+           {"checked_pixels", total.error.checked_pixels},
+           {"checking_rays", total.error.checking_rays},
+           {"check_seconds", total.error.seconds},
+           {"error_estimate", total.estimates > 0 ? Value(total.error.rmse) : Value()},
+           {"run_seconds", run_seconds}},
           {phases.table(), plan_table(plan, total.ledger)}};
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sweepkit/render/layer.hpp"
+#include "sweepkit/render/picture_error.hpp"
 #include "sweepkit/scene/memory_estimate.hpp"
 #include "sweepkit/scene/plan.hpp"
 #include "sweepkit/scene/scene.hpp"
@@ -82,6 +83,8 @@ struct Options {
   Footprint footprint = Footprint::kAuto;
   int supersampling = 1;             ///< 1 to 64
   std::optional<Adaptive> adaptive;  ///< only with a supersampling of 1
+  bool estimates_error = false;      ///< Picture::error
+  std::optional<Goal> goal;          ///< with estimates_error, and without the two above; filters as adaptive
   Shadows shadows = Shadows::kSmooth;
   std::optional<Region> crop;  ///< this part of the picture alone, the same bytes; inside it, not empty
   bool has_alpha = false;      ///< leave the background out and say what objects cover
@@ -98,7 +101,7 @@ struct Cancelled {};
 
 struct Statistics {
   std::uint64_t eye_rays = 0;
-  std::uint64_t refined_pixels = 0;  ///< with more than one eye ray, by Options::adaptive
+  std::uint64_t refined_pixels = 0;  ///< with more than one eye ray, by Options::adaptive or goal
   std::uint64_t refining_rays = 0;   ///< of the eye rays, those more
   std::uint64_t reflected_rays = 0;
   std::uint64_t refracted_rays = 0;
@@ -125,6 +128,7 @@ struct Picture {
   std::vector<PictureLayer> layers;  ///< as asked for, as large as the image
   Statistics statistics;
   scene::Ledger ledger;
+  std::optional<ErrorEstimate> error;  ///< where it was asked for; not of a preview
 };
 
 /// What an accelerator takes at most for a triangle while it is built.

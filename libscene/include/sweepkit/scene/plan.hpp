@@ -37,6 +37,7 @@ enum class Part {
   kEnvironment,    ///< a picture as background, looked up by direction
   kSupersampling,  ///< the larger picture that is shrunk
   kRefinement,     ///< pixels compared with their neighbours and given more rays
+  kErrorEstimate,  ///< what is known of each pixel's error, and pixels drawn again to check it
   kLayers,         ///< depth, normals and the like beside the picture
   kObjectTree,     ///< the tree over the objects' boxes
   kNormalMaps,     ///< tangents, and normals looked up in their frames
@@ -56,6 +57,9 @@ struct Plan {
   std::vector<bool> textures;  ///< by Document::textures: is it read at all?
   std::size_t texture_memory = texmap::kDefaultTextureMemory;
   std::vector<bool> sampled;  ///< by Document::textures: is it an image that a picture shows?
+  /// Otherwise every stage does for all what it has to do for some: (u,v) and footprints of what has no
+  /// texture.
+  bool leaves_out = true;
 
   bool needs_part(Part part) const { return needs[static_cast<std::size_t>(part)].is_needed; }
 };
@@ -69,6 +73,7 @@ struct Request {
   std::size_t texture_memory = texmap::kDefaultTextureMemory;  ///< bytes that a picture's textures may fill
   bool is_supersampled = false;
   bool is_refined = false;          ///< pixels that differ from their neighbours have more rays
+  bool estimates_error = false;     ///< how far the picture is from the true one is told, too
   bool has_smooth_shadows = false;  ///< shadow edges are averaged over the neighbours
   bool has_layers = false;          ///< something besides colours is told of each pixel
   bool shows_texcoords = false;     ///< (u,v) is, of that
@@ -79,6 +84,9 @@ struct Request {
   bool has_tangents = true;         ///< a mesh file can hold tangents
   bool has_neighbours = true;       ///< footprints are made from the neighbouring pixels' hits
   bool has_differentials = true;    ///< where there are none, or at all, from the rays' derivatives
+  /// Otherwise every part of a picture that can be switched on without changing it is, needed or not: what
+  /// leaving out saves is measured against that.
+  bool leaves_out = true;
 };
 
 Plan plan(const Document& document, const Request& request);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sweepkit authors
 // SPDX-License-Identifier: MIT
-#include "triangle_map_stability.hpp"
+#include "triangle_map_errors.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -12,7 +12,7 @@
 
 #include "sweepkit/texmap/triangle_maps.hpp"
 
-namespace sweepkit::bench {
+namespace sweepkit::report {
 namespace {
 
 using namespace texmap;
@@ -89,11 +89,11 @@ Target target_of(const ExactMap& exact, bool is_doubled) {
 }
 
 template <class Real>
-void measure(Hardness kind, std::uint64_t first, std::uint64_t end, KindTally& tally) {
+void measure(const CaseMaker<Real>& make, std::uint64_t first, std::uint64_t end, KindTally& tally) {
   static const RightTriangle kUnit{{0, 0}, 1, 1};
   constexpr double kStep = kEpsilon<Real>;
   for (std::uint64_t number = first; number < end; ++number) {
-    const MapCase<Real> sample = make_case<Real>(kind, number);
+    const MapCase<Real> sample = make(number);
     const auto prepared = AreaRatioMap::prepare(sample.triangle, kUnit);
     const ExactMap exact = exact_map(sample, prepared.i, prepared.j);
     tally.without_area += exact.has_area ? 0 : 1;
@@ -133,43 +133,32 @@ void measure(Hardness kind, std::uint64_t first, std::uint64_t end, KindTally& t
 }  // namespace
 
 template <class Real>
-StabilityRecord measure_stability(std::uint64_t pairs, unsigned threads) {
-  constexpr std::uint64_t kPiece = 1 << 16;
-  const std::uint64_t pieces = (pairs + kPiece - 1) / kPiece;
-  using Tallies = std::array<KindTally, kHardnessNames.size()>;
-  std::vector<std::unique_ptr<Tallies>> tallies;
-  for (unsigned i = 0; i < threads; ++i) tallies.push_back(std::make_unique<Tallies>());
+KindRecord measure_map_errors(const CaseMaker<Real>& make, std::uint64_t pairs, unsigned threads) {
+  constexpr std::uint64_t kPiece = 1 << 14;
+  std::vector<std::unique_ptr<KindTally>> tallies;
+  for (unsigned i = 0; i < threads; ++i) tallies.push_back(std::make_unique<KindTally>());
   std::atomic<std::uint64_t> next = 0;
   {
     std::vector<std::jthread> workers;
     for (unsigned i = 0; i < threads; ++i) {
       workers.emplace_back([&, own = tallies[i].get()] {
-        for (std::uint64_t piece = next++; piece < pieces * own->size(); piece = next++) {
-          const std::uint64_t kind = piece / pieces;
-          const std::uint64_t first = piece % pieces * kPiece;
-          measure<Real>(static_cast<Hardness>(kind), first, std::min(pairs, first + kPiece), (*own)[kind]);
-        }
+        for (std::uint64_t first = kPiece * next++; first < pairs; first = kPiece * next++)
+          measure<Real>(make, first, std::min(pairs, first + kPiece), *own);
       });
     }
   }
-  for (unsigned i = 1; i < threads; ++i) {
-    for (std::size_t kind = 0; kind < tallies[0]->size(); ++kind)
-      (*tallies[0])[kind].merge((*tallies[i])[kind]);
-  }
-  StabilityRecord record;
-  for (std::size_t kind = 0; kind < record.size(); ++kind) {
-    const KindTally& tally = (*tallies[0])[kind];
-    record[kind] = {pairs, tally.without_area, tally.not_dominant, {}};
-    for (std::size_t row = 0; row < kMapNames.size(); ++row) {
-      const Tally& of = tally.maps[row];
-      record[kind].maps[row] = {pairs,      of.not_finite, of.wrong, of.quantile(0.5), of.quantile(0.99),
-                                of.largest, of.steps};
-    }
+  KindTally& tally = *tallies[0];
+  for (unsigned i = 1; i < threads; ++i) tally.merge(*tallies[i]);
+  KindRecord record{pairs, tally.without_area, tally.not_dominant, {}};
+  for (std::size_t row = 0; row < kMapNames.size(); ++row) {
+    const Tally& of = tally.maps[row];
+    record.maps[row] = {pairs,      of.not_finite, of.wrong, of.quantile(0.5), of.quantile(0.99),
+                        of.largest, of.steps};
   }
   return record;
 }
 
-template StabilityRecord measure_stability<float>(std::uint64_t, unsigned);
-template StabilityRecord measure_stability<double>(std::uint64_t, unsigned);
+template KindRecord measure_map_errors(const CaseMaker<float>&, std::uint64_t, unsigned);
+template KindRecord measure_map_errors(const CaseMaker<double>&, std::uint64_t, unsigned);
 
-}  // namespace sweepkit::bench
+}  // namespace sweepkit::report
