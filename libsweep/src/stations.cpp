@@ -188,8 +188,9 @@ std::vector<double> texture_fractions(const std::vector<Station>& stations, UvBy
 void check_triangles(const Tessellation& tessellation, std::uint64_t triangles) {
   if (triangles <= tessellation.most_triangles) return;
   throw InputError("tolerance of " + number_text(*tessellation.tolerance) + " m takes " +
-                   std::to_string(triangles) + " triangles, and there is room for " +
-                   std::to_string(tessellation.most_triangles) + "; ask for a larger one");
+                   std::to_string(triangles) + " triangles, more than the " +
+                   std::to_string(tessellation.most_triangles) +
+                   " that memory and the file have room for; ask for a larger one");
 }
 
 void check_cells(int cells, const char* along) {

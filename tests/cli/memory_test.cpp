@@ -54,7 +54,7 @@ TEST(Memory, RefusesAToleranceThatTakesMoreTrianglesThanThereIsRoomFor) {
   const Outcome run = workshop.shell("ulimit -v 350000; sweepkit render fine.json -o fine.png");
   EXPECT_EQ(run.status, 2) << run.err;
   EXPECT_TRUE(has(run.err, "/objects/0/revolve: tolerance of 1e-06 m takes ")) << run.err;
-  EXPECT_TRUE(has(run.err, " triangles, and there is room for ")) << run.err;
+  EXPECT_TRUE(has(run.err, " that memory and the file have room for; ")) << run.err;
   EXPECT_EQ(workshop.contents(), before);
 }
 

@@ -102,15 +102,18 @@ TEST(Tolerance, IsRefusedWhereItTakesMoreTrianglesThanThereMayBe) {
   };
   EXPECT_EQ(revolved(1000000), "nothing");
   EXPECT_EQ(revolved(1000).rfind("tolerance of 0.0001 m takes ", 0), 0u) << revolved(1000);
-  EXPECT_NE(revolved(1000).find(" triangles, and there is room for 1000; ask for a larger one"),
-            std::string::npos);
+  EXPECT_NE(
+      revolved(1000).find(
+          " triangles, more than the 1000 that memory and the file have room for; ask for a larger one"),
+      std::string::npos);
   const auto swept = [&](std::uint64_t most) {
     return problem([&] {
       sweep(circle_contour(1), helix(3, 1, 2), {.tessellation = {.tolerance = 1e-3, .most_triangles = most}});
     });
   };
   EXPECT_EQ(swept(10000000), "nothing");
-  EXPECT_NE(swept(100).find(" triangles, and there is room for 100; ask for a larger one"),
+  EXPECT_NE(swept(100).find(
+                " triangles, more than the 100 that memory and the file have room for; ask for a larger one"),
             std::string::npos);
 }
 
