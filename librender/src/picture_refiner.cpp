@@ -151,9 +151,10 @@ double PictureRefiner::squared_error(PixelSampler::Thread& thread, const Check& 
   std::array<glm::dvec2, kMostRefiningRays> places;
   std::array<glm::dvec3, 2> left;
   const auto width = static_cast<std::size_t>(image_.width);
-  const std::uint64_t seed =
-      seed_of(glm::dvec2(static_cast<double>(check.pixel % width) + sampler_.region().x,
-                         static_cast<double>(check.pixel / width) + sampler_.region().y));
+  const std::size_t column = check.pixel % width;
+  const std::size_t row = check.pixel / width;
+  const std::uint64_t seed = seed_of(glm::dvec2(static_cast<double>(column) + sampler_.region().x,
+                                                static_cast<double>(row) + sampler_.region().y));
   for (std::size_t half = 0; half < 2; ++half) {
     // The pattern moved and wrapped around is as even, and independent of the one in its place.
     const glm::dvec2 shift = fractions_of(scatter(seed ^ scatter(2 * checks_ + half + 1)));
