@@ -16,9 +16,12 @@
 namespace sweepkit::report {
 namespace {
 
+constexpr const char* kFile = "texture.tx";
+
 struct Opened {
   std::filesystem::path folder;
-  OIIO::TextureSystem* system = OIIO::TextureSystem::create(false);
+  // The one that all share: OpenImageIO 2.4 deletes any other through a pointer of the wrong type.
+  OIIO::TextureSystem* system = OIIO::TextureSystem::create(true);
   OIIO::TextureSystem::TextureHandle* handle = nullptr;
   OIIO::TextureSystem::Perthread* thread = nullptr;
 
@@ -26,7 +29,7 @@ struct Opened {
   Opened(const Opened&) = delete;
   Opened& operator=(const Opened&) = delete;
   ~Opened() {
-    OIIO::TextureSystem::destroy(system);
+    system->invalidate(OIIO::ustring((folder / kFile).string()));
     std::error_code ignored;
     if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
   }
@@ -40,7 +43,7 @@ std::string open(const float* texels, int side, void*& handle) try {
   std::string name = (temporary / "sweepkit-peer-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) return name + ": cannot be made";
   opened->folder = name;
-  const std::string file = (opened->folder / "texture.tx").string();
+  const std::string file = (opened->folder / kFile).string();
   OIIO::ImageBuf image(OIIO::ImageSpec(side, side, 3, OIIO::TypeDesc::FLOAT));
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
