@@ -138,6 +138,7 @@ void run_report(const ReportCommand& command) {
   texts.emplace_back("index.html", fill_marks(page_template, kPage, marks));
 
   std::vector<scene::OutputFile> files;
+  files.reserve(texts.size());
   for (const auto& [name, text] : texts) files.push_back({folder / name, std::as_bytes(std::span(text))});
   scene::write_files(files);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
