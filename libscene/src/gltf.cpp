@@ -20,14 +20,13 @@
 #include "gltf_extras.hpp"
 #include "gltf_levels.hpp"
 #include "gltf_lights.hpp"
-#include "gltf_material_entry.hpp"
+#include "gltf_materials.hpp"
 #include "gltf_mirror.hpp"
 #include "gltf_motion.hpp"
 #include "gltf_primitive.hpp"
 #include "gltf_textures.hpp"
 #include "gltf_transform.hpp"
 #include "json_text.hpp"
-#include "mean_chord.hpp"
 #include "message_text.hpp"
 #include "sweepkit/error.hpp"
 #include "sweepkit/strict_math.hpp"
@@ -45,7 +44,6 @@ class Writer {
  public:
   Writer(const Scene& scene, const Plan& plan, const std::filesystem::path& file, const GltfOptions& options)
       : scene_(scene),
-        plan_(plan),
         options_(options),
         stem_(file == "-" ? "scene" : file.stem().string()),
         bounds_(needs_bounds(options) ? bounds_of(scene) : Bounds()),
@@ -54,7 +52,8 @@ class Writer {
         buffer_(model_, {options.is_quantized, options.is_packed}),
         textures_(model_, buffer_, result_, scene, options, stem_,
                   options.images_in == GltfImages::kSeparate ||
-                      (options.images_in == GltfImages::kByContainer && !is_binary_)) {
+                      (options.images_in == GltfImages::kByContainer && !is_binary_)),
+        materials_(model_, textures_, result_, extensions_, scene, plan, options) {
     model_.asset.version = "2.0";
     model_.asset.generator = "sweepkit " SWEEPKIT_VERSION;
     if (options.grow_seconds > 0 && (options.is_quantized || options.is_packed)) {
@@ -181,64 +180,6 @@ class Writer {
     return made;
   }
 
-  // As the object's own mesh has it, for `mesh` in the file: that one, or a coarser one.
-  GltfBody body_of(const Object& object, std::size_t in_file) {
-    if (!plan_.needs_part(Part::kThicknesses)) return {};
-    const auto [found, is_new] = thicknesses_.try_emplace(object.mesh);
-    if (is_new) {
-      const MeshView& mesh = scene_.meshes[object.mesh];
-      found->second = mean_chord(mesh);
-      result_.ledger[Part::kThicknesses].calls += 1;
-      result_.ledger[Part::kThicknesses].bytes += mean_chord_bytes(mesh);
-    }
-    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(object.world_from_object))));
-    const double step = grid_of(in_file).step;  // a viewer scales the thickness as it does the mesh
-    return {found->second ? std::optional(*found->second / step) : std::nullopt, scale * step};
-  }
-
-  Material material_of(const Object& object) const {
-    return object.material ? scene_.materials[*object.material] : Material{};
-  }
-
-  // `transforms` become those of the mesh's (u,v), where the colours are baked over it.
-  GltfMaps maps_of(const Object& object, std::vector<texmap::UvTransform>& transforms) {
-    const Material material = material_of(object);
-    GltfMaps maps;
-    if (material.texture && plan_.textures[*material.texture]) {
-      const texmap::Texture& source = scene_.textures[*material.texture];
-      if (const auto* procedural = std::get_if<texmap::Procedural>(&source)) {
-        if (plan_.needs_part(Part::kBakes)) {
-          maps.base_color = textures_.baked_texture(object, *procedural, transforms);
-        }
-      } else {
-        maps.base_color = textures_.image_texture(*material.texture);
-      }
-    }
-    if (material.normal_map && plan_.needs_part(Part::kNormalMaps)) {
-      // A texture that was baked over the mesh has (u,v) of its own there.
-      maps.normals = {textures_.image_texture(*material.normal_map), material.normal_strength,
-                      transforms.empty() ? 0 : 1};
-    }
-    return maps;
-  }
-
-  // One for each set of terms and textures in use.
-  int add_material(const Object& object, const GltfMaps& maps, std::size_t mesh) {
-    const Material material = material_of(object);
-    const GltfBody body = material.transmit > 0 ? body_of(object, mesh) : GltfBody{};
-    const GltfMaterial terms = to_gltf(material, options_.look, body);
-    const auto same = std::find_if(materials_.begin(), materials_.end(), [&](const MaterialInUse& one) {
-      return one.terms == terms && one.maps == maps;
-    });
-    if (same != materials_.end()) return static_cast<int>(same - materials_.begin());
-    materials_.push_back({terms, maps});
-    model_.materials.push_back(material_entry(options_.is_minimal ? ""
-                                              : object.material   ? material.name
-                                                                  : "default",
-                                              terms, maps, extensions_));
-    return static_cast<int>(materials_.size()) - 1;
-  }
-
   std::string name_of(const Object& object) const { return options_.is_minimal ? "" : object.name; }
 
   // A small file has what nothing reads left out.
@@ -258,7 +199,7 @@ class Writer {
     }
     const bool is_mirrored = all_mirror(instances);
     std::vector<texmap::UvTransform> transforms;
-    const GltfMaps maps = maps_of(first, transforms);
+    const GltfMaps maps = materials_.maps_of(first, transforms);
     std::vector<int> meshes;
     for (const CoarserMesh& level : levels) {
       const MeshView& own = scene_.meshes[level.mesh];
@@ -339,7 +280,7 @@ class Writer {
   int add_mesh(const Object& object, std::size_t index, const GltfMaps& maps,
                std::span<const texmap::UvTransform> transforms) {
     const MeshView mesh = view_of(index);
-    const int material = add_material(object, maps, index);
+    const int material = materials_.add(object, maps, grid_of(index).step);
     GltfVertices vertices{.lasts = !mirrored_.contains(index)};
     vertices.tangents.assign(mesh.tangents.begin(), mesh.tangents.end());
     if (needs_texcoords(maps)) {
@@ -367,13 +308,7 @@ class Writer {
     return static_cast<int>(model_.meshes.size()) - 1;
   }
 
-  struct MaterialInUse {
-    GltfMaterial terms;
-    GltfMaps maps;
-  };
-
   const Scene& scene_;
-  const Plan& plan_;
   const GltfOptions& options_;
   std::string stem_;
   Bounds bounds_;
@@ -383,13 +318,12 @@ class Writer {
   GltfFile result_;
   GltfBuffer buffer_;
   GltfTextures textures_;
-  std::vector<MaterialInUse> materials_;                      // as model_.materials
-  std::map<std::size_t, std::optional<double>> thicknesses_;  // by mesh
-  std::map<std::size_t, PositionGrid> grids_;                 // by mesh
+  std::set<std::string> extensions_;
+  GltfMaterials materials_;
+  std::map<std::size_t, PositionGrid> grids_;             // by mesh
   std::map<std::size_t, MirroredMesh> mirrored_;          // by mesh: those that no placement shows unmirrored
   std::map<std::size_t, std::optional<Growth>> growths_;  // by mesh
   std::vector<GrowingNode> growing_;
-  std::set<std::string> extensions_;
 };
 
 }  // namespace

@@ -66,6 +66,7 @@ TEST(Levels, EachHasAtMostTwoThirdsOfTheTrianglesOfTheOneBefore) {
   const Made ball = made(scene_with(kBall), 8);
   std::size_t finer = ball.model.scene.meshes[0].triangles.size();
   double height = 1;
+  ASSERT_GE(ball.model.scene.coarser.at(0).size(), 5u);
   for (const CoarserMesh& level : ball.model.scene.coarser.at(0)) {
     const std::size_t triangles = ball.model.scene.meshes[level.mesh].triangles.size();
     EXPECT_LE(3 * triangles, 2 * finer);
@@ -91,6 +92,7 @@ TEST(Levels, AMeshThatIsCoarseAlreadyHasNone) {
 TEST(Levels, OfAScaledPartAreAsCloseInTheObject) {
   const std::string part = kBall.substr(kBall.find("\"tessellation\""));
   const Made ball = made(scene_with(R"({"name": "a", "parts": [{"scale": 10, )" + part + "]}"), 2);
+  ASSERT_EQ(ball.model.scene.coarser.at(0).size(), 2u);
   for (const CoarserMesh& level : ball.model.scene.coarser.at(0)) {
     EXPECT_LE(*ball.model.meshes[level.mesh]->deviation,
               20 * std::sqrt(3.0) / (kLevelHeight * level.height) * (1 + 1e-6));
@@ -152,7 +154,8 @@ TEST(GltfLevels, QuantizedGlassIsAsThickInEveryLevel) {
         root["materials"]
             [root["meshes"][node["mesh"].get<std::size_t>()]["primitives"][0]["material"].get<std::size_t>()];
     const double thickness = material["extensions"]["KHR_materials_volume"]["thicknessFactor"];
-    EXPECT_NEAR(thickness * node["scale"][0].get<double>(), 4.0 / 3, 1e-3) << "4 V / S of the ball";
+    // The finest mesh's own 4 V / S: chords of 0.9 degrees are off by 3e-5 of the radius, quantizing by 2e-5.
+    EXPECT_NEAR(thickness * node["scale"][0].get<double>(), 4.0 / 3, 1e-4) << "4 V / S of the ball";
   }
 }
 
